@@ -22,10 +22,10 @@ from gripcourse.machine.resources import course_root
 from gripcourse.policy.load import load_policy
 from gripcourse.simulation.write import fill
 from gripcourse.text.words import Words
-from gripcourse.usecases.handout import Handout, IssuingContext
-from gripcourse.usecases.init import init_course
-from gripcourse.usecases.issue import Order, issue_order
-from gripcourse.usecases.opening import open_grading
+from gripcourse.usecases.authoring.init import init_course
+from gripcourse.usecases.issuing.handout import Handout, IssuingContext
+from gripcourse.usecases.issuing.issue import Order, issue_order
+from gripcourse.usecases.marks.opening import open_grading
 from gripcourse.variants.model import Issued
 from gripcourse.variants.table import read_table, write_table
 from gripcourse.workbook.write import write_answer_workbook

@@ -38,9 +38,9 @@ from gripcourse.machine.jobs.workers import in_order, run_each
 from gripcourse.machine.resources import course_root
 from gripcourse.policy.load import load_policy
 from gripcourse.simulation.on_disk import register_of
-from gripcourse.usecases.gradebook import keep
-from gripcourse.usecases.student_reports import Printing, student_pdf
-from gripcourse.usecases.virtual import Cohort, simulate
+from gripcourse.usecases.grading.student_reports import Printing, student_pdf
+from gripcourse.usecases.marks.gradebook import keep
+from gripcourse.usecases.measuring.virtual import Cohort, simulate
 
 WORKS = 400
 EMPTY_JOBS = 300

@@ -32,7 +32,7 @@ from gripcourse.proofs.equilibrium.trials import (
 from gripcourse.proofs.samples import Trial, make_trial
 from gripcourse.solver.plan import plan_of
 from gripcourse.text.words import Words
-from gripcourse.usecases.variants import draw_variants
+from gripcourse.usecases.solving.variants import draw_variants
 
 ROOT = Path(__file__).parents[1]
 _EXACT = 1e-9  # what counts as agreeing

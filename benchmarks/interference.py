@@ -24,7 +24,7 @@ from gripcourse.errors import GripcourseError
 from gripcourse.solver.plan import plan_of
 from gripcourse.solver.solve import evaluate
 from gripcourse.text.units import factor
-from gripcourse.usecases.variants import draw_variants
+from gripcourse.usecases.solving.variants import draw_variants
 from gripcourse.variants.model import Variant
 
 ROOT = Path(__file__).parents[1]

@@ -27,9 +27,9 @@ from gripcourse.policy.load import load_policy
 from gripcourse.simulation.cohort import make_classroom
 from gripcourse.simulation.in_memory import judge_one
 from gripcourse.simulation.mix import load_mix
-from gripcourse.usecases import grade as command
-from gripcourse.usecases.gradebook import keep
-from gripcourse.usecases.student_reports import Printing
+from gripcourse.usecases.grading import grade as command
+from gripcourse.usecases.grading.student_reports import Printing
+from gripcourse.usecases.marks.gradebook import keep
 from gripcourse.variants.model import Issued
 
 SEED = 11

@@ -25,7 +25,7 @@ from gripcourse.machine.process_wide import collect_rarely
 from gripcourse.machine.resources import course_root
 from gripcourse.policy.load import load_policy
 from gripcourse.text.words import Words
-from gripcourse.usecases.samples import DAY, printed_samples, samples
+from gripcourse.usecases.authoring.samples import DAY, printed_samples, samples
 from gripcourse.variants.space import load_spaces
 
 RUNS = 7

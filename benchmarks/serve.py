@@ -35,12 +35,12 @@ from gripcourse.policy.load import load_policy
 from gripcourse.simulation.write import fill
 from gripcourse.solver.plan import make_plan
 from gripcourse.text.words import Words
-from gripcourse.usecases.desk import DeskContext, open_context
-from gripcourse.usecases.hand_in import kept_path
-from gripcourse.usecases.handout import Handout, IssuingContext
-from gripcourse.usecases.init import init_course
-from gripcourse.usecases.issue import Order, issue_order
-from gripcourse.usecases.links import token_of
+from gripcourse.usecases.authoring.init import init_course
+from gripcourse.usecases.issuing.handout import Handout, IssuingContext
+from gripcourse.usecases.issuing.issue import Order, issue_order
+from gripcourse.usecases.serving.desk import DeskContext, open_context
+from gripcourse.usecases.serving.hand_in import kept_path
+from gripcourse.usecases.serving.links import token_of
 from gripcourse.variants.model import Issued, Variant
 from gripcourse.variants.table import write_table
 from gripcourse.workbook.write import write_answer_workbook

@@ -47,7 +47,7 @@ from gripcourse.machine.resources import course_root
 from gripcourse.simulation.write import Typed
 from gripcourse.solver.plan import plan_of
 from gripcourse.text.words import Words
-from gripcourse.usecases.init import init_course
+from gripcourse.usecases.authoring.init import init_course
 from gripcourse.variants.model import Issued, Student
 from gripcourse.variants.table import read_table
 from gripcourse.workbook.names import ANSWER, cell_name

@@ -26,8 +26,8 @@ from gripcourse.documents.reference.diagram import diagram_of
 from gripcourse.documents.reference.occurrence import content_of
 from gripcourse.exports.key_page import key_page
 from gripcourse.text.words import Words
-from gripcourse.usecases.reference import write_reference
-from gripcourse.usecases.schema import FILE_KINDS
+from gripcourse.usecases.authoring.reference import write_reference
+from gripcourse.usecases.authoring.schema import FILE_KINDS
 
 if TYPE_CHECKING:
     # The library gives these types no public name.

@@ -37,12 +37,12 @@ from gripcourse.simulation.mix import load_mix
 from gripcourse.solver.plan import Plan, plan_of
 from gripcourse.solver.solve import solve_variant
 from gripcourse.text.words import Words
-from gripcourse.usecases.atlas import draw_atlas
-from gripcourse.usecases.audit import audit_table
-from gripcourse.usecases.grade import grade
-from gripcourse.usecases.handout import workbook_path
-from gripcourse.usecases.samples import samples
-from gripcourse.usecases.solve import solve_from_table, write_solution
+from gripcourse.usecases.authoring.atlas import draw_atlas
+from gripcourse.usecases.authoring.samples import samples
+from gripcourse.usecases.grading.grade import grade
+from gripcourse.usecases.issuing.handout import workbook_path
+from gripcourse.usecases.solving.audit import audit_table
+from gripcourse.usecases.solving.solve import solve_from_table, write_solution
 from gripcourse.variants.model import Issued, Student, Variant
 from gripcourse.variants.space import load_spaces
 from gripcourse.variants.table import read_table

@@ -13,8 +13,11 @@ from pathlib import Path
 
 REPOSITORY = Path(__file__).parents[1]
 COURSE = ("variants", "grader")
-OF_THE_COURSE = ("tests/usecases/test_validate.py", "tests/course", "tests/policy")
-OF_THE_TEMPLATES = ("tests/usecases/test_templates.py", "tests/documents/test_registry.py")
+OF_THE_COURSE = ("tests/usecases/authoring/test_validate.py", "tests/course", "tests/policy")
+OF_THE_TEMPLATES = (
+    "tests/usecases/authoring/test_templates.py",
+    "tests/documents/test_registry.py",
+)
 OF_THE_PAGES = ("tests/docs/test_pages.py",)
 OF_THE_PROGRAMS = "tests/benchmarks/test_import.py"
 

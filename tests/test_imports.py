@@ -28,7 +28,7 @@ LEVELS = (
     ("workbook",),
     ("submission",),
     # What was issued and what is judged meet only in the values of `variants.model`.
-    ("issuing", "grading"),
+    ("issuing", "grading", "access"),
     ("gradebook", "access.desk", "access.lti"),
     ("likeness", "grading.analytics"),
     ("batch",),
@@ -36,7 +36,11 @@ LEVELS = (
     ("documents",),
     ("exports",),
     ("proofs",),
-    ("usecases",),
+    ("usecases.authoring", "usecases.solving", "usecases.measuring", "usecases.serving"),
+    ("usecases.issuing", "usecases.grading"),
+    ("usecases.marks",),
+    ("usecases.publishing",),
+    ("usecases.term",),
     ("api",),
     ("cli.demo", "web"),
     ("cli",),
@@ -141,7 +145,11 @@ def test_imports_go_one_way() -> None:
         ("drawing.paper.svg", "import gripcourse.variants.table", "drawing does not stand above"),
         ("documents.student", "from gripcourse.grading.judge import judge", "may see only"),
         ("documents.student", "from gripcourse.grading import judge", "may see only"),
-        ("grading.judge", "from gripcourse.usecases.handout import issue", "does not stand above"),
+        (
+            "grading.judge",
+            "from gripcourse.usecases.issuing.handout import issue",
+            "does not stand above",
+        ),
         ("course.check", "from ..batch import run", "course does not stand above batch"),
         ("text.words", "from gripcourse.formula.tree import Node", "text does not stand above"),
         (
@@ -150,6 +158,11 @@ def test_imports_go_one_way() -> None:
             "does not stand above machine.jobs",
         ),
         ("access.lti.store", "from gripcourse.access.desk import model", "does not stand above"),
+        (
+            "usecases.issuing.issue",
+            "import gripcourse.usecases.marks.regrade",
+            "does not stand above usecases.marks",
+        ),
         ("text.words", "from gripcourse.novelty import thing", "novelty has no level yet"),
     ],
 )

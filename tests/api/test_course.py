@@ -108,7 +108,7 @@ class TestReadersTakeBytes:
         self, classroom: "Classroom", tmp_path: Path, monkeypatch: pytest.MonkeyPatch
     ) -> None:
         # A real sheet takes longer than all the rest, and nobody reads this one.
-        sheet = "gripcourse.usecases.handout.assignment_sheet"
+        sheet = "gripcourse.usecases.issuing.handout.assignment_sheet"
         monkeypatch.setattr(sheet, lambda *_: b"%PDF-1.7\n")
         course = gc.Course(classroom.course, classroom.policy, "en")
         done = course.issue(

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 import gripcourse as gc
 from gripcourse.batch.one_file import grade_file
 from gripcourse.batch.run import Graded
-from gripcourse.usecases.gradebook import keep, with_kept_versions
+from gripcourse.usecases.marks.gradebook import keep, with_kept_versions
 
 if TYPE_CHECKING:
     from pathlib import Path

@@ -14,7 +14,9 @@ if TYPE_CHECKING:
 def test_a_program_issues_a_new_version_and_learns_what_changed(
     classroom: "Classroom", monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("gripcourse.usecases.handout.assignment_sheet", lambda *_: b"%PDF-1.7\n")
+    monkeypatch.setattr(
+        "gripcourse.usecases.issuing.handout.assignment_sheet", lambda *_: b"%PDF-1.7\n"
+    )
     classroom.issue(roster=gc.NamedBytes("roster.csv", ROSTER.partition("s02,")[0].encode()))
     course = gc.Course.load(classroom.course.root, "en")
     out, table = classroom.order.out.with_name("corrected"), classroom.order.table

@@ -18,13 +18,13 @@ from gripcourse.machine.content import NamedBytes
 from gripcourse.machine.database.home import home_of
 from gripcourse.policy.model import Policy
 from gripcourse.text.words import Words
-from gripcourse.usecases.batch_tables import GRADES_CSV, GRADES_JSON, json_text
-from gripcourse.usecases.desk import DeskContext
-from gripcourse.usecases.hand_in import hand_in
-from gripcourse.usecases.handout import Handout
-from gripcourse.usecases.issue import issue_order
-from gripcourse.usecases.links import open_link
-from gripcourse.usecases.publish import current
+from gripcourse.usecases.grading.batch_tables import GRADES_CSV, GRADES_JSON, json_text
+from gripcourse.usecases.issuing.handout import Handout
+from gripcourse.usecases.issuing.issue import issue_order
+from gripcourse.usecases.publishing.publish import current
+from gripcourse.usecases.serving.desk import DeskContext
+from gripcourse.usecases.serving.hand_in import hand_in
+from gripcourse.usecases.serving.links import open_link
 from support.classroom import Classroom
 
 NOW = datetime(2026, 10, 1, tzinfo=UTC)
@@ -45,7 +45,7 @@ def context(classroom: Classroom, policy: Policy) -> DeskContext:
 def run(
     context: DeskContext, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> Run:
-    monkeypatch.setattr("gripcourse.usecases.desk.load_course", lambda _: context.course)
+    monkeypatch.setattr("gripcourse.usecases.serving.desk.load_course", lambda _: context.course)
 
     def said(*arguments: str) -> str:
         course = ("--course", str(context.course.root), "--language", "en")

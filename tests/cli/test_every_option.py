@@ -50,10 +50,10 @@ FROM_FOLDERS = {"serve"}
 HOSTILE = ("missing", "empty", "folder", "noise", "long")
 # What takes long, and the option that says where its results go: the function that computes.
 LONG = {
-    ("evaluate", "--misses"): "gripcourse.usecases.virtual.make_classroom",
-    ("tolerance audit", "--out"): "gripcourse.usecases.tolerance.read_table",
-    ("variants audit", "--out"): "gripcourse.usecases.audit.audit",
-    ("variants draw", "--out"): "gripcourse.usecases.variants.draw_variants",
+    ("evaluate", "--misses"): "gripcourse.usecases.measuring.virtual.make_classroom",
+    ("tolerance audit", "--out"): "gripcourse.usecases.measuring.tolerance.read_table",
+    ("variants audit", "--out"): "gripcourse.usecases.solving.audit.audit",
+    ("variants draw", "--out"): "gripcourse.usecases.solving.variants.draw_variants",
 }
 WANTS_A_FOLDER = {"variants audit"}
 
@@ -136,7 +136,7 @@ def page() -> bytes:
 @pytest.fixture(autouse=True)
 def sheets_cost_nothing(page: bytes, monkeypatch: pytest.MonkeyPatch) -> None:
     """Where a path is refused last, students are issued to before: nobody reads their sheets."""
-    monkeypatch.setattr("gripcourse.usecases.handout.assignment_sheet", lambda *_: page)
+    monkeypatch.setattr("gripcourse.usecases.issuing.handout.assignment_sheet", lambda *_: page)
 
 
 def place(kind: str) -> str:

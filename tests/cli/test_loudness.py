@@ -13,7 +13,7 @@ from gripcourse.cli import main as cli
 from gripcourse.cli.loudness import is_quiet, is_verbose
 from gripcourse.errors import Problem
 from gripcourse.text.words import message
-from gripcourse.usecases.validate import Validation
+from gripcourse.usecases.authoring.validate import Validation
 
 Say = Callable[..., tuple[int, str, str]]
 
@@ -82,7 +82,7 @@ def test_quiet_leaves_out_what_was_done(
     say: Say, monkeypatch: pytest.MonkeyPatch, arguments: list[str]
 ) -> None:
     sound = Validation([], computed=True)
-    monkeypatch.setattr("gripcourse.usecases.validate.validated", lambda _, **__: sound)
+    monkeypatch.setattr("gripcourse.usecases.authoring.validate.validated", lambda _, **__: sound)
     assert say("validate") == (0, "The course is valid.\n", "")
     assert say(*arguments) == (0, "", "")
 
@@ -90,7 +90,7 @@ def test_quiet_leaves_out_what_was_done(
 def test_quiet_keeps_problems_and_results(say: Say, monkeypatch: pytest.MonkeyPatch) -> None:
     problem = Problem("a.toml", "", message("Wrong."), message("Mend it."))
     found = Validation([problem], computed=True)
-    monkeypatch.setattr("gripcourse.usecases.validate.validated", lambda _, **__: found)
+    monkeypatch.setattr("gripcourse.usecases.authoring.validate.validated", lambda _, **__: found)
     assert say("-q", "validate") == (cli.WRONG_USE, "", "a.toml: Wrong. Mend it.\n")
     assert say("-q", "--version")[1]
 
@@ -99,7 +99,7 @@ def test_verbose_tells_how_it_ended(
     say: Say, monkeypatch: pytest.MonkeyPatch, library_log: logging.Logger
 ) -> None:
     sound = Validation([], computed=True)
-    monkeypatch.setattr("gripcourse.usecases.validate.validated", lambda _, **__: sound)
+    monkeypatch.setattr("gripcourse.usecases.authoring.validate.validated", lambda _, **__: sound)
     library_log.handlers.clear()
     code, said, error = say("-v", "validate")
     assert (code, said) == (0, "The course is valid.\n")
@@ -116,7 +116,7 @@ def test_verbose_shows_the_trace_of_our_own_mistake(
         raise ZeroDivisionError
 
     monkeypatch.setattr("tempfile.tempdir", str(tmp_path_factory.mktemp("incidents")))
-    monkeypatch.setattr("gripcourse.usecases.validate.validated", fail)
+    monkeypatch.setattr("gripcourse.usecases.authoring.validate.validated", fail)
     code, _, error = say("validate", "--verbose")
     assert code == cli.OUR_MISTAKE
     assert "ZeroDivisionError" in error

@@ -414,7 +414,7 @@ class TestOurMistakes:
             raise ZeroDivisionError
 
         monkeypatch.setattr("tempfile.tempdir", str(tmp_path))
-        monkeypatch.setattr("gripcourse.usecases.validate.validated", fail)
+        monkeypatch.setattr("gripcourse.usecases.authoring.validate.validated", fail)
         run = gripcourse("validate")
         assert run.code == cli.OUR_MISTAKE
         assert len(run.problems) == 1

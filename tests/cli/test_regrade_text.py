@@ -12,8 +12,8 @@ from gripcourse.batch.run import Graded
 from gripcourse.cli.demo.students import correct
 from gripcourse.cli.regrade_text import regrade_text
 from gripcourse.text.words import Words
-from gripcourse.usecases.gradebook import keep
-from gripcourse.usecases.regrade import Regrading, regrade
+from gripcourse.usecases.marks.gradebook import keep
+from gripcourse.usecases.marks.regrade import Regrading, regrade
 from support.classroom import forget_one_jaw
 
 if TYPE_CHECKING:

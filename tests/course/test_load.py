@@ -12,7 +12,7 @@ from gripcourse.course.option_sets import option_sets, pair_option_sets
 from gripcourse.course.quantity import Convention, Kind, Quantity
 from gripcourse.errors import UsageError
 from gripcourse.solver.plan import default_options
-from gripcourse.usecases.solve import solve_scheme
+from gripcourse.usecases.solving.solve import solve_scheme
 
 if TYPE_CHECKING:
     from support.drafts import Draft

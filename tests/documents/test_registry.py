@@ -15,9 +15,9 @@ from gripcourse.documents.pdf import render_html
 from gripcourse.documents.registry import document_kinds
 from gripcourse.policy.model import Policy
 from gripcourse.text.words import Words
-from gripcourse.usecases.samples import printed_samples, samples
-from gripcourse.usecases.styles import style_problems
-from gripcourse.usecases.templates import filling_problems, read_templates
+from gripcourse.usecases.authoring.samples import printed_samples, samples
+from gripcourse.usecases.authoring.styles import style_problems
+from gripcourse.usecases.authoring.templates import filling_problems, read_templates
 from support.howto import blocks
 
 REPOSITORY = Path(__file__).parents[2]

@@ -20,8 +20,8 @@ from gripcourse.proofs.prove import prove
 from gripcourse.solver.plan import make_plan
 from gripcourse.solver.solve import solve_variant
 from gripcourse.text.words import LANGUAGES, Words
-from gripcourse.usecases.samples import samples
-from gripcourse.usecases.validate import all_problems
+from gripcourse.usecases.authoring.samples import samples
+from gripcourse.usecases.authoring.validate import all_problems
 from gripcourse.variants.table import read_table
 from gripcourse.workbook.write import answer_workbook
 from support.pages import LAYOUT, SIGNATURE
@@ -72,7 +72,7 @@ def demo(tmp_path_factory: pytest.TempPathFactory) -> Demo:
     lines = roster.read_text(encoding="utf-8-sig").splitlines()[: STUDENTS + 1]
     roster.write_text("\n".join(lines) + "\n", encoding="utf-8")
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr("gripcourse.usecases.handout.assignment_sheet", lambda *_: SIGNATURE)
+        patch.setattr("gripcourse.usecases.issuing.handout.assignment_sheet", lambda *_: SIGNATURE)
         patch.setattr(LAYOUT, lay_out)
         return run_demo(source, folder / "out", Words("en"), 0, lambda _name, _total: lambda: None)
 

@@ -12,7 +12,7 @@ from gripcourse.course.toml_table import Table
 from gripcourse.exports.json_schema import json_schema
 from gripcourse.exports.key_page import FileKind, key_page
 from gripcourse.formula.functions import FUNCTIONS
-from gripcourse.usecases.schema import FILE_KINDS, write_schemas
+from gripcourse.usecases.authoring.schema import FILE_KINDS, write_schemas
 
 ROOT = Path(__file__).parents[2]
 KINDS = {kind.name: kind for kind in FILE_KINDS}

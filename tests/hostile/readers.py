@@ -38,8 +38,8 @@ from gripcourse.policy.load import read_policy
 from gripcourse.submission.raw import RawCell, RawWorkbook
 from gripcourse.submission.understand import cell_text, understand
 from gripcourse.text.words import Words
-from gripcourse.usecases.collect import why_not
-from gripcourse.usecases.init import empty_course
+from gripcourse.usecases.authoring.init import empty_course
+from gripcourse.usecases.grading.collect import why_not
 from gripcourse.web.pictures import picture_of
 from gripcourse.web.rest.bodies import usable
 from gripcourse.web.rest.wishes import MarkWish, PublishingReason, RegradeWish, RegradingWish

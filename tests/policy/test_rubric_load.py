@@ -9,7 +9,7 @@ from gripcourse.course.quantity import Kind
 from gripcourse.policy.model import Policy
 from gripcourse.policy.rubric import Level
 from gripcourse.text.words import LANGUAGES
-from gripcourse.usecases.validate import all_problems
+from gripcourse.usecases.authoring.validate import all_problems
 
 if TYPE_CHECKING:
     from support.drafts import Draft

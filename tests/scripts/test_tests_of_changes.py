@@ -16,7 +16,7 @@ def root(tmp_path: Path) -> Path:
         "tests/course/test_load.py",
         "tests/docs/test_pages.py",
         "tests/benchmarks/test_import.py",
-        "tests/usecases/test_templates.py",
+        "tests/usecases/authoring/test_templates.py",
         "tests/documents/test_assignment_sheet.py",
         "tests/documents/report/test_cohort.py",
     ):
@@ -43,11 +43,14 @@ def root(tmp_path: Path) -> Path:
         (["variants/course.toml"], ["tests/course"]),
         (
             ["templates/style/cohort.css"],
-            ["tests/documents/report/test_cohort.py", "tests/usecases/test_templates.py"],
+            ["tests/documents/report/test_cohort.py", "tests/usecases/authoring/test_templates.py"],
         ),
         (
             ["templates/assignment.html.j2"],
-            ["tests/documents/test_assignment_sheet.py", "tests/usecases/test_templates.py"],
+            [
+                "tests/documents/test_assignment_sheet.py",
+                "tests/usecases/authoring/test_templates.py",
+            ],
         ),
         (["docs/index.md"], ["tests/docs/test_pages.py"]),
     ],

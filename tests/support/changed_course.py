@@ -20,7 +20,7 @@ from typing import Final
 
 from gripcourse.errors import GripcourseError, Problem
 from gripcourse.text.words import Words
-from gripcourse.usecases.validate import scheme_problems, validated
+from gripcourse.usecases.authoring.validate import scheme_problems, validated
 
 _NUMBER: Final = r"\d+(?:\.\d+)?"
 # What is looked for in which files, and what stands there afterwards.

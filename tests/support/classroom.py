@@ -19,10 +19,10 @@ from gripcourse.simulation.write import Typed, fill
 from gripcourse.solver.plan import Plan, make_plan
 from gripcourse.solver.solve import solve_variant
 from gripcourse.text.words import Words
-from gripcourse.usecases.handout import issue_one as usual
-from gripcourse.usecases.handout import workbook_path
-from gripcourse.usecases.init import init_course
-from gripcourse.usecases.issue import IssueOne, Issuing, Order, issue_order
+from gripcourse.usecases.authoring.init import init_course
+from gripcourse.usecases.issuing.handout import issue_one as usual
+from gripcourse.usecases.issuing.handout import workbook_path
+from gripcourse.usecases.issuing.issue import IssueOne, Issuing, Order, issue_order
 from gripcourse.variants.model import Issued, Variant
 from gripcourse.variants.table import write_table
 
@@ -129,7 +129,9 @@ def issued(tmp_path_factory: pytest.TempPathFactory, policy: Policy) -> Classroo
     """
     classroom = open_classroom(tmp_path_factory.mktemp("issued"), policy)
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr("gripcourse.usecases.handout.assignment_sheet", lambda *_: b"%PDF-1.7\n")
+        patch.setattr(
+            "gripcourse.usecases.issuing.handout.assignment_sheet", lambda *_: b"%PDF-1.7\n"
+        )
         issuing = classroom.issue()
     assert all(not one.faults for one in issuing.handouts)
     return classroom

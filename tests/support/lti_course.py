@@ -17,10 +17,10 @@ from gripcourse.access.lti.platforms import Platform
 from gripcourse.access.lti.user_rule import UserRule
 from gripcourse.machine.database.home import home_of
 from gripcourse.policy.model import Policy
-from gripcourse.usecases.desk import DeskContext
-from gripcourse.usecases.handout import Handout
-from gripcourse.usecases.issue import issue_order
-from gripcourse.usecases.lti import register_platform
+from gripcourse.usecases.issuing.handout import Handout
+from gripcourse.usecases.issuing.issue import issue_order
+from gripcourse.usecases.serving.desk import DeskContext
+from gripcourse.usecases.serving.lti import register_platform
 from gripcourse.web.app import make_app
 from gripcourse.web.checking import make_checkers
 from gripcourse.web.lti import lti_routes

@@ -9,7 +9,7 @@ import pytest
 
 LAYOUT = "gripcourse.documents.pdf.pdf_from_html"
 LAID_OUT = (
-    "gripcourse.usecases.handout.assignment_sheet",
+    "gripcourse.usecases.issuing.handout.assignment_sheet",
     "gripcourse.documents.report.student.student_report",
     "gripcourse.documents.report.cohort.cohort_report",
 )

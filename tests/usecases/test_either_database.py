@@ -21,13 +21,13 @@ from gripcourse.gradebook.journal import Signed
 from gripcourse.gradebook.timing import Waiver
 from gripcourse.machine.database.adding import add_many
 from gripcourse.text.words import Words
-from gripcourse.usecases.batch_tables import FILES_CSV, GRADES_CSV, GRADES_JSON, json_text
-from gripcourse.usecases.grade import write_results
-from gripcourse.usecases.gradebook import keep
-from gripcourse.usecases.history import history
-from gripcourse.usecases.mark import enter_mark
-from gripcourse.usecases.regrade import publish
-from gripcourse.usecases.waive import waive
+from gripcourse.usecases.grading.batch_tables import FILES_CSV, GRADES_CSV, GRADES_JSON, json_text
+from gripcourse.usecases.grading.grade import write_results
+from gripcourse.usecases.marks.gradebook import keep
+from gripcourse.usecases.marks.history import history
+from gripcourse.usecases.marks.mark import enter_mark
+from gripcourse.usecases.marks.regrade import publish
+from gripcourse.usecases.marks.waive import waive
 from support.classroom import forget_one_jaw
 
 if TYPE_CHECKING:
@@ -86,9 +86,9 @@ def test_all_exports_are_the_same(
     tmp_path: Path,
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    monkeypatch.syspath_prepend(str(Path(__file__).parent))
+    monkeypatch.syspath_prepend(str(Path(__file__).parent / "grading"))
     fake = importlib.import_module("fake_documents")
-    monkeypatch.setattr("gripcourse.usecases.grade.cohort_pdf", fake.cohort_page)
+    monkeypatch.setattr("gripcourse.usecases.grading.grade.cohort_pdf", fake.cohort_page)
     in_file = term(str(tmp_path / "gradebook.sqlite"), graded, issued, tmp_path / "file")
     assert in_file == term(away, graded, issued, tmp_path / "server")
     assert "Петров" in in_file[-1].decode()
@@ -120,10 +120,10 @@ def test_a_batch_that_is_killed_at_any_commit_ends_as_one_that_is_not(
     tmp_path: Path,
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    monkeypatch.syspath_prepend(str(Path(__file__).parent))
+    monkeypatch.syspath_prepend(str(Path(__file__).parent / "grading"))
     fake = importlib.import_module("fake_documents")
-    monkeypatch.setattr("gripcourse.usecases.grade.cohort_pdf", fake.cohort_page)
-    monkeypatch.setattr("gripcourse.usecases.gradebook._STUDENTS_AT_ONCE", 1)
+    monkeypatch.setattr("gripcourse.usecases.grading.grade.cohort_pdf", fake.cohort_page)
+    monkeypatch.setattr("gripcourse.usecases.marks.gradebook._STUDENTS_AT_ONCE", 1)
     whole = term(str(tmp_path / "whole.sqlite"), graded, issued, tmp_path / "whole")
     place = str(tmp_path / "killed.sqlite")
     for moment in count(1):

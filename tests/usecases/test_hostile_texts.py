@@ -34,11 +34,11 @@ from gripcourse.policy.model import Policy, Reveal
 from gripcourse.solver.solve import solve_variant
 from gripcourse.text.shown import one_line, shown
 from gripcourse.text.words import Words, message
-from gripcourse.usecases.batch_tables import json_text
-from gripcourse.usecases.grade import GradingOutcome
-from gripcourse.usecases.handout import Handout
-from gripcourse.usecases.issue import Issuing
-from gripcourse.usecases.samples import judged_sample, refused_sample, samples
+from gripcourse.usecases.authoring.samples import judged_sample, refused_sample, samples
+from gripcourse.usecases.grading.batch_tables import json_text
+from gripcourse.usecases.grading.grade import GradingOutcome
+from gripcourse.usecases.issuing.handout import Handout
+from gripcourse.usecases.issuing.issue import Issuing
 from gripcourse.variants.model import Student
 from gripcourse.workbook.write import answer_workbook
 from support.tables import formulas_in

@@ -22,7 +22,10 @@ from gripcourse.gradebook.checks import CheckLedger, take_one
 from gripcourse.grading.model import Report
 from gripcourse.text.shown import one_line
 from gripcourse.text.words import Words
-from gripcourse.usecases.exporting import (
+from gripcourse.usecases.grading.grade import write_results
+from gripcourse.usecases.grading.student_reports import Printing, write_reports
+from gripcourse.usecases.issuing.printing import joined, print_sheets
+from gripcourse.usecases.publishing.exporting import (
     Results,
     canvas_file,
     gradescope_file,
@@ -31,10 +34,7 @@ from gripcourse.usecases.exporting import (
     outbox_folders,
     table_files,
 )
-from gripcourse.usecases.grade import write_results
-from gripcourse.usecases.links import PersonalLink, write_links
-from gripcourse.usecases.printing import joined, print_sheets
-from gripcourse.usecases.student_reports import Printing, write_reports
+from gripcourse.usecases.serving.links import PersonalLink, write_links
 from gripcourse.variants.model import Issued
 from support.reports import perfect, values, variant
 from support.tables import formulas_in
@@ -49,14 +49,14 @@ NOW = datetime(2026, 12, 2, tzinfo=UTC)
 EVERYBODY = 0o077
 # Who writes what everybody may read, and what that is. Anything else is private.
 FOR_EVERYBODY = {
-    "usecases/reference.py": "the reference of formulas",
-    "usecases/atlas.py": "pictures of the schemes",
-    "usecases/schema.py": "JSON Schemas",
-    "usecases/draw.py": "drawings of a variant, without a name",
-    "usecases/audit.py": "numbers of a table of variants",
-    "usecases/tolerance.py": "numbers of a policy",
-    "usecases/virtual.py": "mistakes of students who do not exist",
-    "usecases/init.py": "a new course; its key is made elsewhere",
+    "usecases/authoring/reference.py": "the reference of formulas",
+    "usecases/authoring/atlas.py": "pictures of the schemes",
+    "usecases/authoring/schema.py": "JSON Schemas",
+    "usecases/solving/draw.py": "drawings of a variant, without a name",
+    "usecases/solving/audit.py": "numbers of a table of variants",
+    "usecases/measuring/tolerance.py": "numbers of a policy",
+    "usecases/measuring/virtual.py": "mistakes of students who do not exist",
+    "usecases/authoring/init.py": "a new course; its key is made elsewhere",
     "variants/table.py": "a table of variants, without names",
     "simulation/record.py": "what students did who do not exist",
     "simulation/tolerance_policy.py": "a policy",
@@ -173,12 +173,12 @@ def test_what_has_names_or_marks_is_for_its_owner_alone(
     moodle_questions(issued.course, issued.order.table, ["001"], out / "q.xml", Words("en"))
     linked(issued.register["s01"], out)
     take_one(CheckLedger(out / "ledger", "s01"), 3)
-    monkeypatch.setattr("gripcourse.usecases.grade.cohort_pdf", lambda *_: pdf)
+    monkeypatch.setattr("gripcourse.usecases.grading.grade.cohort_pdf", lambda *_: pdf)
     graded, day = [Graded(report, "")], NOW.date()
     write_results(
         graded, issued.context, out / "graded", day, 0, lambda _: None, lay_out=lambda *_: pdf
     )
-    monkeypatch.setattr("gripcourse.usecases.printing.handout_list", lambda *_: pdf)
+    monkeypatch.setattr("gripcourse.usecases.issuing.printing.handout_list", lambda *_: pdf)
     print_sheets([], issued.course, out, out / "print.pdf", NOW.date())
     files = [*files_below(out), *files_below(reports)]
     assert len(files) == 25
@@ -239,9 +239,9 @@ def test_nothing_runs_in_what_is_taken_elsewhere(text: str, taken: Taken, tmp_pa
     ("escape", "text"),
     [
         ("exports.results_tables.text_cell", "formula"),
-        ("usecases.exporting.text_cell", "second_cell"),
-        ("usecases.links.text_cell", "formula"),
-        ("usecases.links.text_cell", "terminal"),
+        ("usecases.publishing.exporting.text_cell", "second_cell"),
+        ("usecases.serving.links.text_cell", "formula"),
+        ("usecases.serving.links.text_cell", "terminal"),
         ("text.words.one_line", "second_line"),
         ("text.words.one_line", "terminal"),
     ],

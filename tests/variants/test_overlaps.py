@@ -9,7 +9,7 @@ from gripcourse.cli.text import audit_text
 from gripcourse.course.model import Course
 from gripcourse.policy.model import Policy
 from gripcourse.text.words import LANGUAGES, Texts, Words
-from gripcourse.usecases.audit import WrittenAudit
+from gripcourse.usecases.solving.audit import WrittenAudit
 from gripcourse.variants.audit import audit
 from gripcourse.variants.draw import draw
 from gripcourse.variants.feasible import Array

@@ -18,15 +18,15 @@ from gripcourse.machine.database.home import home_of
 from gripcourse.machine.files import write_bytes
 from gripcourse.policy.model import Policy
 from gripcourse.text.words import Words
-from gripcourse.usecases.batch_tables import GRADES_CSV, GRADES_JSON, json_text
-from gripcourse.usecases.desk import DeskContext
-from gripcourse.usecases.grade import REPORTS
-from gripcourse.usecases.gradebook import keep
-from gripcourse.usecases.hand_in import collect_hand_ins
-from gripcourse.usecases.handout import Handout, IssuingContext, sheet_path, workbook_path
-from gripcourse.usecases.issue import issue_order
-from gripcourse.usecases.links import token_of
-from gripcourse.usecases.sign_in import offer_sign_in
+from gripcourse.usecases.grading.batch_tables import GRADES_CSV, GRADES_JSON, json_text
+from gripcourse.usecases.grading.grade import REPORTS
+from gripcourse.usecases.issuing.handout import Handout, IssuingContext, sheet_path, workbook_path
+from gripcourse.usecases.issuing.issue import issue_order
+from gripcourse.usecases.marks.gradebook import keep
+from gripcourse.usecases.serving.desk import DeskContext
+from gripcourse.usecases.serving.hand_in import collect_hand_ins
+from gripcourse.usecases.serving.links import token_of
+from gripcourse.usecases.serving.sign_in import offer_sign_in
 from gripcourse.variants.model import Issued
 from gripcourse.web.app import make_app
 from gripcourse.web.checking import make_checkers

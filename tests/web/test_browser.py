@@ -30,10 +30,10 @@ from selenium.webdriver.support.wait import WebDriverWait
 
 from gripcourse.machine.content import NamedBytes
 from gripcourse.text.words import LANGUAGES
-from gripcourse.usecases.batch_tables import GRADES_JSON
-from gripcourse.usecases.hand_in import hand_in
-from gripcourse.usecases.publish import publish, withdraw
-from gripcourse.usecases.sign_in import offer_sign_in
+from gripcourse.usecases.grading.batch_tables import GRADES_JSON
+from gripcourse.usecases.publishing.publish import publish, withdraw
+from gripcourse.usecases.serving.hand_in import hand_in
+from gripcourse.usecases.serving.sign_in import offer_sign_in
 from support.processes import wait_for
 
 if TYPE_CHECKING:

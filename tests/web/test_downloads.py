@@ -9,10 +9,10 @@ from typing import TYPE_CHECKING
 import pytest
 
 from gripcourse.machine.content import NamedBytes
-from gripcourse.usecases.batch_tables import FILES_CSV, GRADES_CSV
-from gripcourse.usecases.downloads import hand_ins_to_pack
-from gripcourse.usecases.grade import COHORT_PDF, REPORTS
-from gripcourse.usecases.hand_in import hand_in, kept_path
+from gripcourse.usecases.grading.batch_tables import FILES_CSV, GRADES_CSV
+from gripcourse.usecases.grading.grade import COHORT_PDF, REPORTS
+from gripcourse.usecases.publishing.downloads import hand_ins_to_pack
+from gripcourse.usecases.serving.hand_in import hand_in, kept_path
 
 if TYPE_CHECKING:
     from starlette.testclient import TestClient

@@ -15,7 +15,7 @@ from pypdf import PdfWriter
 
 from gripcourse.machine.content import NamedBytes
 from gripcourse.machine.jobs.standing import StandingWorkers
-from gripcourse.usecases.hand_in import hand_in, latest
+from gripcourse.usecases.serving.hand_in import hand_in, latest
 from gripcourse.web.drawings import PICTURES
 from gripcourse.web.pictures import PAINTED, picture_of
 

@@ -7,8 +7,8 @@ import pytest
 from starlette.testclient import TestClient
 
 from gripcourse.machine.files import write_bytes
-from gripcourse.usecases.publish import current, publish, published_to, withdraw
-from gripcourse.usecases.sign_in import SIGN_IN_MINUTES, offer_sign_in
+from gripcourse.usecases.publishing.publish import current, publish, published_to, withdraw
+from gripcourse.usecases.serving.sign_in import SIGN_IN_MINUTES, offer_sign_in
 from gripcourse.web.checking import make_checkers
 from gripcourse.web.downloads import download_routes
 from gripcourse.web.drawings import drawing_routes
@@ -166,7 +166,7 @@ def test_two_clicks_publish_twice_and_students_see_the_results(
             second[:] = [publish(context, server.graded, "Dr. Ray", "second", now).number]
         write_bytes(path, data, private=private)
 
-    monkeypatch.setattr("gripcourse.usecases.publish.write_bytes", meanwhile)
+    monkeypatch.setattr("gripcourse.usecases.publishing.publish.write_bytes", meanwhile)
     first = publish(context, server.graded, "Dr. Ray", "first", now).number
     assert first < second[0]
     shown = current(context)

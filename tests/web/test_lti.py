@@ -18,8 +18,8 @@ from starlette.types import ASGIApp
 from gripcourse.access.lti.platforms import add_platform, load_platforms
 from gripcourse.access.lti.states import MINUTES
 from gripcourse.policy.model import Policy
-from gripcourse.usecases.links import revoke_links
-from gripcourse.usecases.lti import bind, store_of, user_key
+from gripcourse.usecases.serving.links import revoke_links
+from gripcourse.usecases.serving.lti import bind, store_of, user_key
 from gripcourse.web.serve import Serving, platform_routes
 from support.clock import BEGAN
 from support.lti_course import LtiCourse, on_its_first_day, open_lti_course

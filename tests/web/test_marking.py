@@ -10,7 +10,7 @@ import pytest
 from gripcourse.gradebook.journal import regrades
 from gripcourse.gradebook.store import Gradebook
 from gripcourse.gradebook.works import works_of
-from gripcourse.usecases.regrade import Regrading
+from gripcourse.usecases.marks.regrade import Regrading
 from web.conftest import form_key, sign_in
 
 if TYPE_CHECKING:

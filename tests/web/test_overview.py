@@ -14,10 +14,10 @@ import pytest
 from gripcourse.machine.content import NamedBytes
 from gripcourse.solver.solve import solve_variant
 from gripcourse.text.words import Words
-from gripcourse.usecases.begin_grading import begin_grading
-from gripcourse.usecases.figures import group_figures
-from gripcourse.usecases.hand_in import hand_in
-from gripcourse.usecases.progress import batch_progress, progress_noted
+from gripcourse.usecases.grading.progress import batch_progress, progress_noted
+from gripcourse.usecases.serving.begin_grading import begin_grading
+from gripcourse.usecases.serving.figures import group_figures
+from gripcourse.usecases.serving.hand_in import hand_in
 from web.conftest import form_key
 
 if TYPE_CHECKING:

@@ -229,7 +229,7 @@ def test_a_full_disk_is_said_and_nothing_is_recorded(
     def full(*_: object, **__: object) -> None:
         raise OSError(28, "No space left on device")
 
-    monkeypatch.setattr("gripcourse.usecases.hand_in.write_bytes", full)
+    monkeypatch.setattr("gripcourse.usecases.serving.hand_in.write_bytes", full)
     before = server.context.desk.hand_ins()
     client = server.client()
     answer = client.post(f"{server.home('s03')}hand-in", files={"file": ("a.xlsx", b"new bytes")})

@@ -15,9 +15,9 @@ import pytest
 from gripcourse.documents.pdf import template_environment
 from gripcourse.errors import UsageError
 from gripcourse.text.words import Words
-from gripcourse.usecases.hand_in import kept_path, latest
-from gripcourse.usecases.handout import Handout, IssuingContext
-from gripcourse.usecases.issue import issue_order
+from gripcourse.usecases.issuing.handout import Handout, IssuingContext
+from gripcourse.usecases.issuing.issue import issue_order
+from gripcourse.usecases.serving.hand_in import kept_path, latest
 from gripcourse.web.pages import hour_of
 from web.conftest import BEGAN
 

@@ -11,8 +11,8 @@ import pytest
 from gripcourse.access.desk.model import Allowance
 from gripcourse.access.desk.store import open_desk
 from gripcourse.machine.database.home import address_path
-from gripcourse.usecases.desk import DeskContext
-from gripcourse.usecases.issue import issue_order
+from gripcourse.usecases.issuing.issue import issue_order
+from gripcourse.usecases.serving.desk import DeskContext
 from support.classroom import KEY, open_classroom
 from web.conftest import Server, quick_handout
 

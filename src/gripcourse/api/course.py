@@ -37,7 +37,7 @@ from gripcourse.variants.table import read_table, write_table
 if TYPE_CHECKING:
     import pandas as pd
 
-    from gripcourse.usecases.solve import SolvedVariant
+    from gripcourse.usecases.solving.solve import SolvedVariant
 
 # Every call imports what it needs itself: documents and databases cost up to half a second.
 # ruff: noqa: PLC0415
@@ -130,7 +130,7 @@ class Course:
         Raises:
             GripcourseError: there is no such scheme, or too few variants can be found.
         """
-        from gripcourse.usecases.variants import draw_variants
+        from gripcourse.usecases.solving.variants import draw_variants
 
         drawn = draw_variants(self.definition, from_one(count), seed, scheme, freely=freely)
         if out is not None:
@@ -185,7 +185,7 @@ class Course:
         Raises:
             UsageError: an unknown name, or a value that cannot be used.
         """
-        from gripcourse.usecases.solve import solve_scheme
+        from gripcourse.usecases.solving.solve import solve_scheme
 
         wanted = chosen_convention(convention)
         solved = solve_scheme(self.definition, scheme, given or {}, options or {}, wanted)
@@ -195,7 +195,7 @@ class Course:
         self, variant: str, table: FileLike | None = None, convention: str | None = None
     ) -> "SolvedVariant":
         """Solve a variant for the writers of documents in `gripcourse.api.documents`."""
-        from gripcourse.usecases.solve import solve_from_table
+        from gripcourse.usecases.solving.solve import solve_from_table
 
         variants = read_table(self.table_source(table), self.definition)
         wanted = chosen_convention(convention)
@@ -228,7 +228,7 @@ class Course:
         Raises:
             GripcourseError: something cannot be used; nothing was issued.
         """
-        from gripcourse.usecases.issue import Order, issue_order
+        from gripcourse.usecases.issuing.issue import Order, issue_order
 
         order = Order(
             roster=readable(roster, "roster"),
@@ -259,7 +259,7 @@ class Course:
             ValueError: there is a ledger and nobody is named.
         """
         from gripcourse.gradebook.checks import CheckLedger
-        from gripcourse.usecases.check import check_file
+        from gripcourse.usecases.grading.check import check_file
 
         if ledger is not None and not who:
             raise ValueError(who)
@@ -310,11 +310,11 @@ class Course:
             GripcourseError: a path does not exist, or the register or gradebook cannot be used. The
                 faults of a submission are in its report.
         """
-        from gripcourse.usecases.batch_tables import batch_result
-        from gripcourse.usecases.batch_wish import BatchWish
-        from gripcourse.usecases.grade import grade, write_results
-        from gripcourse.usecases.gradebook import keep
-        from gripcourse.usecases.opening import as_wished, grading_of
+        from gripcourse.usecases.grading.batch_tables import batch_result
+        from gripcourse.usecases.grading.grade import grade, write_results
+        from gripcourse.usecases.marks.batch_wish import BatchWish
+        from gripcourse.usecases.marks.gradebook import keep
+        from gripcourse.usecases.marks.opening import as_wished, grading_of
 
         sources, others = workbooks(files)
         wish = BatchWish(

@@ -11,7 +11,7 @@ from gripcourse.text.words import Words
 
 if TYPE_CHECKING:
     from gripcourse.machine.doctor import MachineCheck
-    from gripcourse.usecases.audit import WrittenAudit
+    from gripcourse.usecases.solving.audit import WrittenAudit
 
 # Every call imports what it needs itself: laying out costs half a second to import.
 # ruff: noqa: PLC0415
@@ -30,7 +30,7 @@ def init_course(
     Raises:
         UsageError: the folder is in use or cannot be written.
     """
-    from gripcourse.usecases.init import init_course as make
+    from gripcourse.usecases.authoring.init import init_course as make
 
     origin = None if source is None else Path(source)
     make(Path(folder), secrets.token_bytes(32), Words(language), origin)
@@ -48,7 +48,7 @@ def write_solution(
     course: Course, variant: str, out: str | Path, *, table: FileLike | None = None
 ) -> Path:
     """Write the worked solution of a variant as PDF and return where it is."""
-    from gripcourse.usecases.solve import write_solution as write
+    from gripcourse.usecases.solving.solve import write_solution as write
 
     return write(course.solved(variant, table), Path(out), course.words)
 
@@ -57,7 +57,7 @@ def write_key(
     course: Course, variant: str, out: str | Path, *, table: FileLike | None = None
 ) -> Path:
     """Write the instructor's workbook with live formulas and return where it is."""
-    from gripcourse.usecases.solve import write_key as write
+    from gripcourse.usecases.solving.solve import write_key as write
 
     return write(course.solved(variant, table), Path(out), course.words)
 
@@ -71,7 +71,7 @@ def write_general_view(
     student: str = "",
 ) -> tuple[Path, ...]:
     """Write the general view of a variant as DXF and SVG into a folder; return the files."""
-    from gripcourse.usecases.draw import write_general_view as write
+    from gripcourse.usecases.solving.draw import write_general_view as write
 
     return tuple(write(course.solved(variant, table), Path(out), student, course.words))
 
@@ -84,7 +84,7 @@ def audit_variants(
     today: date | None = None,
 ) -> "WrittenAudit":
     """Audit a table of variants; write its certificate and numbers into a folder."""
-    from gripcourse.usecases.audit import audit_table
+    from gripcourse.usecases.solving.audit import audit_table
 
     day = today or datetime.now().astimezone().date()
     return audit_table(course.definition, course.table_source(table), Path(out), course.words, day)
@@ -92,7 +92,7 @@ def audit_variants(
 
 def import_variants(course: Course, table: FileLike, out: str | Path) -> int:
     """Check an instructor's own table, write it and return the number of its variants."""
-    from gripcourse.usecases.variants import import_table
+    from gripcourse.usecases.solving.variants import import_table
 
     read = import_table(course.definition, course.table_source(table), Path(out))
     return len(read.variants)
@@ -100,13 +100,13 @@ def import_variants(course: Course, table: FileLike, out: str | Path) -> int:
 
 def draw_atlas(course: Course, atlas: str, out: str | Path) -> tuple[Path, ...]:
     """Reproduce the figures of a source into a folder; return the files."""
-    from gripcourse.usecases.atlas import draw_atlas as write
+    from gripcourse.usecases.authoring.atlas import draw_atlas as write
 
     return tuple(write(course.definition, atlas, Path(out), course.words))
 
 
 def write_reference(course: Course, out: str | Path) -> tuple[Path, ...]:
     """Write the formula reference into a folder; return the pages."""
-    from gripcourse.usecases.reference import write_reference as write
+    from gripcourse.usecases.authoring.reference import write_reference as write
 
     return tuple(write(course.definition, Path(out), course.words))

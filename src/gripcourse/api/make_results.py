@@ -26,9 +26,9 @@ from gripcourse.text.words import Message, Words
 
 if TYPE_CHECKING:
     # Who asks for one result should not wait for what makes the others.
-    from gripcourse.usecases.check import CheckedWorkbook
-    from gripcourse.usecases.issue import Issuing
-    from gripcourse.usecases.solve import SolvedVariant
+    from gripcourse.usecases.grading.check import CheckedWorkbook
+    from gripcourse.usecases.issuing.issue import Issuing
+    from gripcourse.usecases.solving.solve import SolvedVariant
     from gripcourse.variants.model import Variant
     from gripcourse.variants.tally import Tally
 

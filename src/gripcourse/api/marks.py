@@ -11,8 +11,8 @@ from gripcourse.api.sources import FileLike, readable
 if TYPE_CHECKING:
     from gripcourse.gradebook.enter import Draft
     from gripcourse.gradebook.waiting import Waiting
-    from gripcourse.usecases.mark import Marking
-    from gripcourse.usecases.trace import Traced
+    from gripcourse.usecases.issuing.trace import Traced
+    from gripcourse.usecases.marks.mark import Marking
 
 # Every call imports what it needs itself, as in `api.course`.
 # ruff: noqa: PLC0415
@@ -24,7 +24,7 @@ def what_waits(gradebook: str | Path) -> "tuple[Waiting, ...]":
     Raises:
         GradebookError: there is none, or it cannot be used.
     """
-    from gripcourse.usecases.mark import what_waits as ask
+    from gripcourse.usecases.marks.mark import what_waits as ask
 
     return ask(str(gradebook))
 
@@ -35,8 +35,8 @@ def enter_mark(course: Course, draft: "Draft", gradebook: str | Path, marker: st
     Raises:
         GripcourseError: with all that is wrong with it.
     """
-    from gripcourse.usecases.mark import enter_mark as enter
-    from gripcourse.usecases.opening import grading_of
+    from gripcourse.usecases.marks.mark import enter_mark as enter
+    from gripcourse.usecases.marks.opening import grading_of
 
     context = grading_of(course.definition, course.policy)
     return enter(draft, context, str(gradebook), marker, datetime.now(UTC))
@@ -48,8 +48,8 @@ def enter_marks(course: Course, table: FileLike, gradebook: str | Path, marker: 
     Raises:
         GripcourseError: with all that is wrong, by row and column.
     """
-    from gripcourse.usecases.mark import enter_table
-    from gripcourse.usecases.opening import grading_of
+    from gripcourse.usecases.marks.mark import enter_table
+    from gripcourse.usecases.marks.opening import grading_of
 
     context = grading_of(course.definition, course.policy)
     source = readable(table, "marks")
@@ -73,7 +73,7 @@ def trace(
     Raises:
         GripcourseError: with every text that is no number or no quantity.
     """
-    from gripcourse.usecases import trace as tracing
+    from gripcourse.usecases.issuing import trace as tracing
 
     sought = (
         tracing.in_register(course.root, course.definition)

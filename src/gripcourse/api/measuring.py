@@ -28,7 +28,7 @@ def simulate(
     Raises:
         GripcourseError: the folder is in use, or the cohort cannot be made.
     """
-    from gripcourse.usecases import virtual
+    from gripcourse.usecases.measuring import virtual
 
     cohort = virtual.Cohort(count, seed, scheme)
     return virtual.simulate(
@@ -42,7 +42,7 @@ def evaluate(course: Course, folder: str | Path, *, workers: int = 0) -> "Grader
     Raises:
         GripcourseError: the folder holds no cohort of this course.
     """
-    from gripcourse.usecases import virtual
+    from gripcourse.usecases.measuring import virtual
 
     return virtual.evaluate_folder(
         course.definition, course.policy, Path(folder), workers, _no_progress
@@ -53,7 +53,7 @@ def evaluate_in_memory(
     course: Course, *, count: int, seed: int, scheme: str | None = None, workers: int = 1
 ) -> "GraderEvaluation":
     """Do the same with a new cohort and without any file."""
-    from gripcourse.usecases import virtual
+    from gripcourse.usecases.measuring import virtual
 
     cohort = virtual.Cohort(count, seed, scheme)
     return virtual.evaluate_in_memory(
@@ -83,7 +83,7 @@ def audit_tolerances(
     Raises:
         GripcourseError: the table or the spaces cannot be used.
     """
-    from gripcourse.usecases import tolerance
+    from gripcourse.usecases.measuring import tolerance
 
     sample = tolerance.ToleranceSample(course.table_source(table), count, seed)
     variants = tolerance.variants_of(course.definition, sample)

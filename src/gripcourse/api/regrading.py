@@ -16,8 +16,8 @@ if TYPE_CHECKING:
     from gripcourse.gradebook.journal import Published, Regrade
     from gripcourse.gradebook.model import Attempt
     from gripcourse.gradebook.timing import Waiver
-    from gripcourse.usecases.history import Event
-    from gripcourse.usecases.regrade import Regrading
+    from gripcourse.usecases.marks.history import Event
+    from gripcourse.usecases.marks.regrade import Regrading
 
 # Every call imports what it needs itself, as in `api.course`.
 # ruff: noqa: PLC0415
@@ -51,11 +51,11 @@ def regrade(  # noqa: PLR0913 (the last ones are what everybody leaves as they a
     Raises:
         GripcourseError: the gradebook or the register cannot be used.
     """
-    from gripcourse.usecases.gradebook import with_kept_versions
-    from gripcourse.usecases.mark import existing_gradebook
-    from gripcourse.usecases.opening import grading_of
-    from gripcourse.usecases.regrade import regrade as ask
-    from gripcourse.usecases.whose import read_whose
+    from gripcourse.usecases.marks.gradebook import with_kept_versions
+    from gripcourse.usecases.marks.mark import existing_gradebook
+    from gripcourse.usecases.marks.opening import grading_of
+    from gripcourse.usecases.marks.regrade import regrade as ask
+    from gripcourse.usecases.marks.whose import read_whose
 
     sources, _ = workbooks(files)
     context = grading_of(course.definition, course.policy)
@@ -71,8 +71,8 @@ def regrade(  # noqa: PLR0913 (the last ones are what everybody leaves as they a
 
 def _earlier(course: Course, context: "GradingContext", workers: int) -> "KeptReports | None":
     """Return what earlier regrades found out; None where the course's folder has changed."""
-    from gripcourse.usecases.unchanged import open_earlier
-    from gripcourse.usecases.versions import versions_of
+    from gripcourse.usecases.grading.unchanged import open_earlier
+    from gripcourse.usecases.grading.versions import versions_of
 
     # Whoever may not write there looks, too, but pays for every look.
     with suppress(OSError):
@@ -106,7 +106,7 @@ def apply_regrade(
             changed.
     """
     from gripcourse.gradebook.journal import Signed
-    from gripcourse.usecases.regrade import apply_regrade as enter
+    from gripcourse.usecases.marks.regrade import apply_regrade as enter
 
     signed = Signed(by, datetime.now(UTC), why)
     return enter(regrading, str(gradebook), signed, allow_lower=allow_lower)
@@ -119,7 +119,7 @@ def undo_regrade(gradebook: str | Path, *, by: str, why: str) -> "Regrade":
         GripcourseError: no reason is given, or there is nothing to take back.
     """
     from gripcourse.gradebook.journal import Signed
-    from gripcourse.usecases.regrade import undo_regrade as undo
+    from gripcourse.usecases.marks.regrade import undo_regrade as undo
 
     return undo(str(gradebook), Signed(by, datetime.now(UTC), why))
 
@@ -133,7 +133,7 @@ def publish(
         GripcourseError: of a student nothing has been graded.
     """
     from gripcourse.gradebook.journal import Signed
-    from gripcourse.usecases.regrade import publish as tell
+    from gripcourse.usecases.marks.regrade import publish as tell
 
     return tell(str(gradebook), students, Signed(by, datetime.now(UTC)))
 
@@ -153,8 +153,8 @@ def waive(
         GripcourseError: nobody knows the student, or no reason is given.
     """
     from gripcourse.gradebook.timing import Waiver
-    from gripcourse.usecases.opening import grading_of
-    from gripcourse.usecases.waive import waive as enter
+    from gripcourse.usecases.marks.opening import grading_of
+    from gripcourse.usecases.marks.waive import waive as enter
 
     register = grading_of(course.definition, course.policy).register
     waiver = Waiver(
@@ -169,6 +169,6 @@ def history(gradebook: str | Path, student: str) -> "tuple[Event, ...]":
     Raises:
         GripcourseError: the gradebook does not know the student.
     """
-    from gripcourse.usecases.history import history as ask
+    from gripcourse.usecases.marks.history import history as ask
 
     return ask(str(gradebook), student)

@@ -42,7 +42,7 @@ def reissue(  # noqa: PLR0913 (the last four are for those who need them)
         GripcourseError: something cannot be used or cannot be done; nothing was issued.
     """
     from gripcourse.issuing.reissue import Correction
-    from gripcourse.usecases.reissue import CorrectedOrder, reissue_order
+    from gripcourse.usecases.issuing.reissue import CorrectedOrder, reissue_order
 
     order = CorrectedOrder(
         correction=Correction(tuple(students), variant, why, by),

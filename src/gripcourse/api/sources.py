@@ -5,7 +5,7 @@ from pathlib import Path
 from typing import TypeAlias
 
 from gripcourse.machine.content import NamedBytes, Readable
-from gripcourse.usecases.collect import PassedOver, collect
+from gripcourse.usecases.grading.collect import PassedOver, collect
 
 FileLike: TypeAlias = str | Path | bytes | tuple[str, bytes] | NamedBytes
 """A text is a path, never a content."""

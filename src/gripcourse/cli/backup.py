@@ -25,7 +25,7 @@ def backup(
     language: LanguageOption = None,
 ) -> None:
     """Write a whole term into one file: course, key, register, gradebook, what was handed in."""
-    from gripcourse.usecases.backup import back_up
+    from gripcourse.usecases.term.backup import back_up
 
     done = back_up(course_folder(course), out, datetime.now(UTC))
     said = message(
@@ -51,7 +51,7 @@ def restore(
     language: LanguageOption = None,
 ) -> None:
     """Put a whole term back as it was; nothing is overwritten."""
-    from gripcourse.usecases.restore import restore as command
+    from gripcourse.usecases.term.restore import restore as command
 
     done = command(file, course, database)
     said = message(

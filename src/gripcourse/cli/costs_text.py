@@ -9,7 +9,7 @@ from gripcourse.text.words import Words, message
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from gripcourse.usecases.tolerance import Paying
+    from gripcourse.usecases.measuring.tolerance import Paying
     from gripcourse.variants.pays import MistakeCost
 
 

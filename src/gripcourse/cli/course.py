@@ -46,7 +46,7 @@ def validate(
     language: LanguageOption = None,
 ) -> None:
     """Check a whole course and list all its problems at once."""
-    from gripcourse.usecases.validate import scheme_problems, validated
+    from gripcourse.usecases.authoring.validate import scheme_problems, validated
 
     words, root = words_for(language), course_folder(course)
     if scheme is not None:
@@ -113,7 +113,7 @@ def init(
     """Make a course of your own, with a key of its own: a copy of another, or a small one."""
     import secrets
 
-    from gripcourse.usecases.init import empty_course, init_course
+    from gripcourse.usecases.authoring.init import empty_course, init_course
 
     words = words_for(language)
     if empty and source is not None:
@@ -148,7 +148,7 @@ def atlas(
 ) -> None:
     """Reproduce the figures and cases of a source from the course's own formulas."""
     from gripcourse.course.load import load_course
-    from gripcourse.usecases.atlas import draw_atlas
+    from gripcourse.usecases.authoring.atlas import draw_atlas
 
     loaded = load_course(course_folder(course))
     words = Words(document_language(language, loaded.language))
@@ -159,7 +159,7 @@ def atlas(
 @app.command(cls=SpokenCommand)
 def schema(*, out: OutOption = Path("schema")) -> None:
     """Write the keys of all files of a course: JSON Schema for editors, and a page to read."""
-    from gripcourse.usecases.schema import write_schemas
+    from gripcourse.usecases.authoring.schema import write_schemas
 
     for path in write_schemas(out):
         typer.echo(str(path))
@@ -174,7 +174,7 @@ def reference(
 ) -> None:
     """Write the formula reference: a page for each scheme, made from the declarations alone."""
     from gripcourse.course.load import load_course
-    from gripcourse.usecases.reference import write_reference
+    from gripcourse.usecases.authoring.reference import write_reference
 
     words = Words(document_language(language, LANGUAGES[0]))
     for path in write_reference(load_course(course_folder(course)), out, words):

@@ -64,8 +64,8 @@ def serve(  # noqa: PLR0913 (one parameter per option)
                 name=str(missing.name),
             )
         ) from missing
-    from gripcourse.usecases.desk import open_context
-    from gripcourse.usecases.sign_in import offer_sign_in
+    from gripcourse.usecases.serving.desk import open_context
+    from gripcourse.usecases.serving.sign_in import offer_sign_in
 
     words = words_for(language)
     context = open_context(course_folder(course))
@@ -87,8 +87,8 @@ def sign_in(
     language: LanguageOption = None,  # noqa: ARG001 (every command takes it)
 ) -> None:
     """Print a link with which an instructor signs in at the desk, once."""
-    from gripcourse.usecases.desk import open_context
-    from gripcourse.usecases.sign_in import offer_sign_in
+    from gripcourse.usecases.serving.desk import open_context
+    from gripcourse.usecases.serving.sign_in import offer_sign_in
 
     context = open_context(course_folder(course))
     token = offer_sign_in(context, by or getpass.getuser(), datetime.now(UTC))
@@ -113,8 +113,8 @@ def links(  # noqa: PLR0913 (one parameter per option)
     language: LanguageOption = None,
 ) -> None:
     """Write a personal link for every student; whoever has a link is that student."""
-    from gripcourse.usecases.desk import open_context
-    from gripcourse.usecases.links import make_links, revoke_links, write_links
+    from gripcourse.usecases.serving.desk import open_context
+    from gripcourse.usecases.serving.links import make_links, revoke_links, write_links
 
     words, now = words_for(language), datetime.now(UTC)
     context = open_context(course_folder(course))
@@ -144,8 +144,8 @@ def release(
     language: LanguageOption = None,
 ) -> None:
     """Let students see their results by their links; they stay as they are now."""
-    from gripcourse.usecases import publish as command
-    from gripcourse.usecases.desk import open_context
+    from gripcourse.usecases.publishing import publish as command
+    from gripcourse.usecases.serving.desk import open_context
 
     words, who, now = words_for(language), by or getpass.getuser(), datetime.now(UTC)
     if withdraw == (graded is not None):
@@ -164,8 +164,8 @@ def handed_in(
     *, out: OutOption, course: CourseOption = None, language: LanguageOption = None
 ) -> None:
     """Write the last file of every student into a folder, to be graded."""
-    from gripcourse.usecases.desk import open_context
-    from gripcourse.usecases.hand_in import collect_hand_ins
+    from gripcourse.usecases.serving.desk import open_context
+    from gripcourse.usecases.serving.hand_in import collect_hand_ins
 
     written = collect_hand_ins(open_context(course_folder(course)), out)
     said = message("Files in {folder}: {count}.", folder=str(out), count=len(written))

@@ -36,8 +36,8 @@ def draw(
     language: LanguageOption = None,
 ) -> None:
     """Draw the general view of a variant, as DXF for a CAD program and as SVG."""
-    from gripcourse.usecases.draw import write_general_view
-    from gripcourse.usecases.solve import solve_from_table
+    from gripcourse.usecases.solving.draw import write_general_view
+    from gripcourse.usecases.solving.solve import solve_from_table
     from gripcourse.variants.kept_table import load_with_table
 
     root = course_folder(course)

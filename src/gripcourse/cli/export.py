@@ -50,7 +50,7 @@ def moodle(
     language: LanguageOption = None,
 ) -> None:
     """Fill the grades into Moodle's grading worksheet, and pack the reports for Moodle."""
-    from gripcourse.usecases.exporting import moodle_files, open_results
+    from gripcourse.usecases.publishing.exporting import moodle_files, open_results
 
     words = words_for(language)
     results = open_results(course_folder(course), grades)
@@ -82,7 +82,7 @@ def moodle_xml(
 ) -> None:
     """Write variants as questions that Moodle imports, for a self-test; with the answers."""
     from gripcourse.course.load import load_course
-    from gripcourse.usecases.exporting import moodle_questions
+    from gripcourse.usecases.publishing.exporting import moodle_questions
 
     loaded = load_course(course_folder(course))
     document = Words(document_language(language, loaded.language))
@@ -105,7 +105,7 @@ def canvas(
     language: LanguageOption = None,
 ) -> None:
     """Write the table of points that Canvas imports, made from its own export."""
-    from gripcourse.usecases.exporting import canvas_file, open_results
+    from gripcourse.usecases.publishing.exporting import canvas_file, open_results
 
     words = words_for(language)
     results = open_results(course_folder(course), grades)
@@ -130,7 +130,7 @@ def gradescope(
     language: LanguageOption = None,
 ) -> None:
     """Write the results of one submission as Gradescope reads them: a test for each section."""
-    from gripcourse.usecases.exporting import gradescope_file, open_results
+    from gripcourse.usecases.publishing.exporting import gradescope_file, open_results
 
     words = words_for(language)
     results = open_results(course_folder(course), grades)
@@ -149,7 +149,7 @@ def table(
     language: LanguageOption = None,
 ) -> None:
     """Write results by student, section and quantity, and what they say about the assignment."""
-    from gripcourse.usecases.exporting import open_results, table_files
+    from gripcourse.usecases.publishing.exporting import open_results, table_files
 
     words_for(language)
     root = course_folder(course)
@@ -167,7 +167,7 @@ def outbox(
     language: LanguageOption = None,
 ) -> None:
     """Write a folder for each student with a text and the report; you send them yourself."""
-    from gripcourse.usecases.exporting import open_results, outbox_folders
+    from gripcourse.usecases.publishing.exporting import open_results, outbox_folders
 
     words = words_for(language)
     results = open_results(course_folder(course), grades)

@@ -35,11 +35,11 @@ from gripcourse.cli.options import (
 )
 from gripcourse.cli.regrade import ByOption
 from gripcourse.text.words import Words, message
-from gripcourse.usecases.batch_wish import BatchWish
+from gripcourse.usecases.marks.batch_wish import BatchWish
 
 if TYPE_CHECKING:
-    from gripcourse.usecases.as_before import Beginning, SaidAtEnd
-    from gripcourse.usecases.grade import GradingOutcome
+    from gripcourse.usecases.grading.as_before import Beginning, SaidAtEnd
+    from gripcourse.usecases.grading.grade import GradingOutcome
 
 # Every command imports what it needs itself: numpy, pandas and WeasyPrint cost up to half a second.
 # ruff: noqa: PLC0415
@@ -90,10 +90,10 @@ def grade(  # noqa: PLR0913 (one parameter per option)
 ) -> None:
     """Grade workbooks against the issued values; write reports, a cohort summary and grades."""
     from gripcourse.machine.office import office_command, office_identity
-    from gripcourse.usecases.as_before import GradingAsked, beginning
-    from gripcourse.usecases.collect import collect
-    from gripcourse.usecases.handed_in import tables_said
-    from gripcourse.usecases.note_batch import note_batch
+    from gripcourse.usecases.grading.as_before import GradingAsked, beginning
+    from gripcourse.usecases.grading.collect import collect
+    from gripcourse.usecases.grading.note_batch import note_batch
+    from gripcourse.usecases.marks.handed_in import tables_said
 
     words = words_for(language)
     found = collect(paths)
@@ -153,14 +153,14 @@ def _grade_anew(begun: "Beginning", order: _Order, manner: _Manner) -> bool:
     """Grade what an earlier run did not, and say all; tell whether something needs a person."""
     from gripcourse.machine.files import make_private_folder
     from gripcourse.machine.jobs.cluster import open_workers
-    from gripcourse.usecases import grade as command
-    from gripcourse.usecases.batch_tables import batch_result
-    from gripcourse.usecases.gradebook import keep
-    from gripcourse.usecases.note_batch import note_batch
-    from gripcourse.usecases.opening import as_wished, open_grading
-    from gripcourse.usecases.progress import progress_noted
-    from gripcourse.usecases.student_reports import student_pdf
-    from gripcourse.usecases.unchanged import open_earlier
+    from gripcourse.usecases.grading import grade as command
+    from gripcourse.usecases.grading.batch_tables import batch_result
+    from gripcourse.usecases.grading.note_batch import note_batch
+    from gripcourse.usecases.grading.progress import progress_noted
+    from gripcourse.usecases.grading.student_reports import student_pdf
+    from gripcourse.usecases.grading.unchanged import open_earlier
+    from gripcourse.usecases.marks.gradebook import keep
+    from gripcourse.usecases.marks.opening import as_wished, open_grading
 
     asked, words = begun.asked, manner.words
     files, out, place = asked.found.files, asked.out, asked.place
@@ -213,7 +213,7 @@ def _grade_anew(begun: "Beginning", order: _Order, manner: _Manner) -> bool:
 def _said(
     text: str, outcome: "GradingOutcome", course: str, out: Path, words: Words
 ) -> "SaidAtEnd":
-    from gripcourse.usecases.as_before import SaidAtEnd
+    from gripcourse.usecases.grading.as_before import SaidAtEnd
 
     return SaidAtEnd(
         course=course,

@@ -19,8 +19,8 @@ if TYPE_CHECKING:
     from gripcourse.cli.demo.run import Demo
     from gripcourse.gradebook.waiting import Waiting
     from gripcourse.grading.model import Report
-    from gripcourse.usecases.grade import GradingOutcome
-    from gripcourse.usecases.mark import Marking
+    from gripcourse.usecases.grading.grade import GradingOutcome
+    from gripcourse.usecases.marks.mark import Marking
     from gripcourse.variants.model import Student
 
 FLAGS = {
@@ -76,8 +76,8 @@ def with_taken_over(text: str, outcome: "GradingOutcome", words: Words) -> str:
 
 def batch_text(outcome: "GradingOutcome", out: Path, words: Words) -> str:
     """Return what `grading_text` does but for what was taken over: the same at each run."""
-    from gripcourse.usecases.batch_tables import FILES_CSV, GRADES_CSV
-    from gripcourse.usecases.grade import INCIDENTS, REPORTS
+    from gripcourse.usecases.grading.batch_tables import FILES_CSV, GRADES_CSV
+    from gripcourse.usecases.grading.grade import INCIDENTS, REPORTS
 
     called = _called(outcome.reports)
     rows = [
@@ -133,8 +133,8 @@ def batch_text(outcome: "GradingOutcome", out: Path, words: Words) -> str:
 
 def problems_text(outcome: "GradingOutcome", out: Path, words: Words) -> str:
     """Return what must be said even where nothing else is: our faults, and how much waits."""
-    from gripcourse.usecases.batch_tables import FILES_CSV
-    from gripcourse.usecases.grade import INCIDENTS
+    from gripcourse.usecases.grading.batch_tables import FILES_CSV
+    from gripcourse.usecases.grading.grade import INCIDENTS
 
     ours, called = (FlagCode.INCIDENT, FlagCode.REPORT_INCIDENT), _called(outcome.reports)
     lines = [
@@ -184,7 +184,7 @@ def _cohort_fault(outcome: "GradingOutcome", words: Words) -> Iterator[str]:
 
 def _passed_over(outcome: "GradingOutcome", words: Words) -> Iterator[str]:
     """Yield a line for each reason why files were not looked at; `files.csv` names them all."""
-    from gripcourse.usecases.collect import REASONS
+    from gripcourse.usecases.grading.collect import REASONS
 
     for why, reason in REASONS.items():
         names = [one_line(Path(one.file).name) for one in outcome.passed_over if one.why is why]
@@ -212,7 +212,7 @@ def _missing(students: Sequence["Student"], words: Words) -> Iterator[str]:
 
 def waiting_text(waits: Sequence["Waiting"], context: "GradingContext", words: Words) -> str:
     """Return what waits for a person as a table."""
-    from gripcourse.usecases.called import item_with_id, student_with_id
+    from gripcourse.usecases.marks.called import item_with_id, student_with_id
 
     if not waits:
         return words.say(message("Nothing waits for the instructor."))
@@ -232,7 +232,7 @@ def waiting_text(waits: Sequence["Waiting"], context: "GradingContext", words: W
 
 def marking_text(marking: "Marking", context: "GradingContext", words: Words) -> str:
     """Return what the marks came to."""
-    from gripcourse.usecases.called import item_with_id, student_with_id
+    from gripcourse.usecases.marks.called import item_with_id, student_with_id
 
     lines = []
     for item in marking.items:

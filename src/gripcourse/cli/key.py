@@ -11,7 +11,7 @@ app = command_group("The key of the signatures.")
 @app.command("rotate", cls=SpokenCommand)
 def rotate(*, course: CourseOption = None, language: LanguageOption = None) -> None:
     """Sign with a new key from now on; what was issued before stays verifiable."""
-    from gripcourse.usecases.key import rotate as command  # noqa: PLC0415 (not for --help)
+    from gripcourse.usecases.issuing.key import rotate as command  # noqa: PLC0415 (not for --help)
 
     place = command(course_folder(course))
     said = message("A new key signs from now on: {place}. Keep a copy of it.", place=str(place))

@@ -128,7 +128,7 @@ def register(  # noqa: PLR0913 (one parameter per option)
     """Declare a platform whose people are let in; the first one makes our key."""
     with _needs_library():
         from gripcourse.access.lti import usual
-        from gripcourse.usecases.lti import register_platform
+        from gripcourse.usecases.serving.lti import register_platform
 
     if sum(map(bool, (moodle, canvas, endpoints))) != 1:
         raise cli_text.misuse(message("Name one of --moodle, --canvas and --endpoints."))
@@ -171,8 +171,8 @@ def rotate(*, course: CourseOption = None, language: LanguageOption = None) -> N
 def unknown(*, course: CourseOption = None, language: LanguageOption = None) -> None:
     """List who came by a platform and could not be told to be a student of the roster."""
     with _needs_library():
-        from gripcourse.usecases.desk import open_context
-        from gripcourse.usecases.lti import platform_names, store_of
+        from gripcourse.usecases.serving.desk import open_context
+        from gripcourse.usecases.serving.lti import platform_names, store_of
 
     words = words_for(language)
     context = open_context(course_folder(course))
@@ -216,8 +216,8 @@ def bind(
 ) -> None:
     """Say which student a platform's user is; without a student: nobody."""
     with _needs_library():
-        from gripcourse.usecases import lti as command
-        from gripcourse.usecases.desk import open_context
+        from gripcourse.usecases.serving import lti as command
+        from gripcourse.usecases.serving.desk import open_context
 
     root = course_folder(course)
     context, chosen = open_context(root), command.chosen_platform(root, platform)
@@ -242,9 +242,9 @@ def send_grades(
     """Send published results to the platform's gradebook: what is new or changed."""
     with _needs_library():
         from gripcourse.access.lti.web_client import make_client
-        from gripcourse.usecases import lti_grades as command
-        from gripcourse.usecases.desk import open_context
-        from gripcourse.usecases.lti import chosen_platform
+        from gripcourse.usecases.publishing import lti_grades as command
+        from gripcourse.usecases.serving.desk import open_context
+        from gripcourse.usecases.serving.lti import chosen_platform
 
     words, root = words_for(language), course_folder(course)
     context = open_context(root)
@@ -280,9 +280,9 @@ def roster(
     """Write the students of the platform's course as a roster."""
     with _needs_library():
         from gripcourse.access.lti.web_client import make_client
-        from gripcourse.usecases import lti_roster as command
-        from gripcourse.usecases.desk import open_context
-        from gripcourse.usecases.lti import chosen_platform
+        from gripcourse.usecases.serving import lti_roster as command
+        from gripcourse.usecases.serving.desk import open_context
+        from gripcourse.usecases.serving.lti import chosen_platform
 
     root = course_folder(course)
     context, chosen = open_context(root), chosen_platform(root, platform)

@@ -121,7 +121,7 @@ def solve(  # noqa: PLR0913 (one parameter per option)
 ) -> None:
     """Solve a variant of the table, or a scheme with values set by hand."""
     from gripcourse.course.load import load_course
-    from gripcourse.usecases import solve as command
+    from gripcourse.usecases.solving import solve as command
 
     root = course_folder(course)
     wanted = cli_text.chosen_convention(convention)
@@ -183,7 +183,7 @@ def issue(  # noqa: PLR0913 (one parameter per option)
     from gripcourse.course.load import load_course
     from gripcourse.machine.files import expect_file
     from gripcourse.policy.load import load_policy
-    from gripcourse.usecases.issue import Order, issue_order
+    from gripcourse.usecases.issuing.issue import Order, issue_order
 
     words = words_for(language)
     if printed is not None:
@@ -210,7 +210,7 @@ def issue(  # noqa: PLR0913 (one parameter per option)
         )
     confirm(cli_text.issuing_text(issuing, out, words))
     if printed is not None:
-        from gripcourse.usecases.printing import print_sheets
+        from gripcourse.usecases.issuing.printing import print_sheets
 
         print_sheets(issuing.handouts, loaded, out, printed, order.today)
         confirm(str(printed))
@@ -237,7 +237,7 @@ def check(
     from gripcourse.policy.load import load_policy
     from gripcourse.submission.apart import start_reader
     from gripcourse.submission.with_office import read_with_office
-    from gripcourse.usecases.check import check_file
+    from gripcourse.usecases.grading.check import check_file
 
     if (ledger is None) != (not who):
         raise cli_text.misuse(message("Name both --ledger and --who, or neither."))

@@ -81,8 +81,8 @@ def mark(  # noqa: PLR0913 (one parameter per option)
 ) -> None:
     """Mark what a person judges; kept for good, and part of every report from the next grading."""
     from gripcourse.gradebook.enter import Draft
-    from gripcourse.usecases import mark as command
-    from gripcourse.usecases.opening import open_grading
+    from gripcourse.usecases.marks import mark as command
+    from gripcourse.usecases.marks.opening import open_grading
 
     words = words_for(language)
     root = course_folder(course)

@@ -68,14 +68,14 @@ def regrade(  # noqa: PLR0913 (one parameter per option)
 ) -> None:
     """Show what today's course and policy would change about graded works; apply it if asked."""
     from gripcourse.gradebook.journal import Signed
-    from gripcourse.usecases import regrade as command
-    from gripcourse.usecases.collect import collect
-    from gripcourse.usecases.gradebook import with_kept_versions
-    from gripcourse.usecases.mark import existing_gradebook
-    from gripcourse.usecases.opening import open_grading
-    from gripcourse.usecases.unchanged import open_earlier
-    from gripcourse.usecases.versions import versions_of
-    from gripcourse.usecases.whose import read_whose
+    from gripcourse.usecases.grading.collect import collect
+    from gripcourse.usecases.grading.unchanged import open_earlier
+    from gripcourse.usecases.grading.versions import versions_of
+    from gripcourse.usecases.marks import regrade as command
+    from gripcourse.usecases.marks.gradebook import with_kept_versions
+    from gripcourse.usecases.marks.mark import existing_gradebook
+    from gripcourse.usecases.marks.opening import open_grading
+    from gripcourse.usecases.marks.whose import read_whose
 
     words = words_for(language)
     direction = regrade_text.chosen_direction(only)
@@ -124,7 +124,7 @@ def undo(
 ) -> None:
     """Take the last regrade back; it stays on record."""
     from gripcourse.gradebook.journal import Signed
-    from gripcourse.usecases.regrade import undo_regrade
+    from gripcourse.usecases.marks.regrade import undo_regrade
 
     words = words_for(language)
     place = gradebook_place(gradebook, course_folder(course))
@@ -145,7 +145,7 @@ def publish(
 ) -> None:
     """Keep that students are told their results: from now on only a regrade changes them."""
     from gripcourse.gradebook.journal import Signed
-    from gripcourse.usecases import regrade as command
+    from gripcourse.usecases.marks import regrade as command
 
     words = words_for(language)
     place = gradebook_place(gradebook, course_folder(course))
@@ -178,8 +178,8 @@ def waive(  # noqa: PLR0913 (one parameter per option)
     from gripcourse.gradebook.deadlines import moment_of
     from gripcourse.gradebook.timing import Waiver
     from gripcourse.policy.time_rules import zone_of
-    from gripcourse.usecases.opening import open_grading
-    from gripcourse.usecases.waive import waive as enter
+    from gripcourse.usecases.marks.opening import open_grading
+    from gripcourse.usecases.marks.waive import waive as enter
 
     words = words_for(language)
     context = open_grading(course_folder(course))
@@ -204,9 +204,9 @@ def history(
     language: LanguageOption = None,
 ) -> None:
     """Show everything that happened to a student's grade: when, by whom, and why."""
-    from gripcourse.usecases.called import item_with_id
-    from gripcourse.usecases.history import history as ask
-    from gripcourse.usecases.opening import open_grading
+    from gripcourse.usecases.marks.called import item_with_id
+    from gripcourse.usecases.marks.history import history as ask
+    from gripcourse.usecases.marks.opening import open_grading
 
     words = words_for(language)
     context = open_grading(course_folder(course))

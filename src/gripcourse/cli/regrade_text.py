@@ -19,8 +19,8 @@ if TYPE_CHECKING:
     from gripcourse.gradebook.journal import Published, Regrade
     from gripcourse.gradebook.model import Attempt, Result
     from gripcourse.gradebook.regrade import Shift, WorkChange
-    from gripcourse.usecases.history import Event
-    from gripcourse.usecases.regrade import Regrading
+    from gripcourse.usecases.marks.history import Event
+    from gripcourse.usecases.marks.regrade import Regrading
 
 _NAMED = 10  # files or works that a line names
 _HEADS = (
@@ -128,7 +128,7 @@ def history_text(events: Sequence["Event"], words: Words) -> str:
 
 
 def _row(one: "WorkChange", context: "GradingContext", words: Words) -> tuple[str, ...]:
-    from gripcourse.usecases.called import student_with_id
+    from gripcourse.usecases.marks.called import student_with_id
 
     changed = ", ".join(words.say(_VERSIONS[version.value]) for version in one.versions)
     return (
@@ -141,7 +141,7 @@ def _row(one: "WorkChange", context: "GradingContext", words: Words) -> tuple[st
 
 
 def _items(change: "WorkChange", context: "GradingContext", words: Words) -> Iterator[str]:
-    from gripcourse.usecases.called import item_with_id, student_with_id
+    from gripcourse.usecases.marks.called import item_with_id, student_with_id
 
     student = change.work.student
     for one in change.items:
@@ -167,7 +167,7 @@ def _result(result: "Result | None") -> Message:
 
 
 def _left_out(found: "Regrading", context: "GradingContext", words: Words) -> Iterator[str]:
-    from gripcourse.usecases.called import student_with_id
+    from gripcourse.usecases.marks.called import student_with_id
 
     kinds = (
         (

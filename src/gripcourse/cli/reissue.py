@@ -62,7 +62,7 @@ def reissue(  # noqa: PLR0913 (one parameter per option)
     from gripcourse.course.load import load_course
     from gripcourse.issuing.reissue import Correction
     from gripcourse.policy.load import load_policy
-    from gripcourse.usecases.reissue import CorrectedOrder, reissue_order
+    from gripcourse.usecases.issuing.reissue import CorrectedOrder, reissue_order
 
     words = words_for(language)
     loaded = load_course(course_folder(course))

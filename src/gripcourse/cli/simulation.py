@@ -53,7 +53,7 @@ def simulate(  # noqa: PLR0913 (one parameter per option)
     """Write the workbooks of virtual students, and beside them what each of them did."""
     from gripcourse.course.load import load_course
     from gripcourse.policy.load import load_policy
-    from gripcourse.usecases import virtual as command
+    from gripcourse.usecases.measuring import virtual as command
 
     words = words_for(language)
     loaded = load_course(course_folder(course))
@@ -91,7 +91,7 @@ def evaluate(  # noqa: PLR0913 (one parameter per option)
     """Set what virtual students did against what the grader says of it."""
     from gripcourse.course.load import load_course
     from gripcourse.policy.load import load_policy
-    from gripcourse.usecases import virtual as command
+    from gripcourse.usecases.measuring import virtual as command
 
     if in_memory == (folder is not None):
         raise cli_text.misuse(message("Name the folder of a cohort, or --in-memory."))
@@ -132,7 +132,7 @@ def tolerance_audit(  # noqa: PLR0913 (one parameter per option)
     from gripcourse.course.load import load_course
     from gripcourse.machine.files import expect_file
     from gripcourse.policy.load import load_policy
-    from gripcourse.usecases import tolerance as command
+    from gripcourse.usecases.measuring import tolerance as command
 
     words = words_for(language)
     if out is not None:

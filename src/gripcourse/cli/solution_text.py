@@ -9,7 +9,7 @@ from gripcourse.text.units import unit_text
 from gripcourse.text.words import Words, message
 
 if TYPE_CHECKING:
-    from gripcourse.usecases.solve import SolvedVariant
+    from gripcourse.usecases.solving.solve import SolvedVariant
 
 
 def solution_table(solved: "SolvedVariant", words: Words) -> str:

@@ -22,9 +22,9 @@ from gripcourse.text.words import Message, Texts, Words, counted, message
 if TYPE_CHECKING:
     from gripcourse.course.quantity import Convention
     from gripcourse.machine.doctor import MachineCheck
-    from gripcourse.usecases.audit import WrittenAudit
-    from gripcourse.usecases.check import CheckedWorkbook
-    from gripcourse.usecases.issue import Issuing
+    from gripcourse.usecases.grading.check import CheckedWorkbook
+    from gripcourse.usecases.issuing.issue import Issuing
+    from gripcourse.usecases.solving.audit import WrittenAudit
     from gripcourse.variants.audit import VariantAudit
     from gripcourse.variants.draw import Drawn
     from gripcourse.variants.tally import Refusal

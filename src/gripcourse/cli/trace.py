@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
     from gripcourse.course.quantity import Quantity
     from gripcourse.likeness.trace import Match
-    from gripcourse.usecases.trace import Traced
+    from gripcourse.usecases.issuing.trace import Traced
 
 # The command imports what it needs itself: numpy and the course cost up to half a second.
 # ruff: noqa: PLC0415
@@ -64,7 +64,7 @@ def trace(
     """Rank the variants and students that numbers may come from, with the odds; no verdict."""
     from gripcourse.course.load import load_course
     from gripcourse.issuing.store import read_register
-    from gripcourse.usecases import trace as command
+    from gripcourse.usecases.issuing import trace as command
 
     if table is not None and issued is not None:
         raise cli_text.misuse(message("--table and --issued exclude each other."))

@@ -55,7 +55,7 @@ def draw(  # noqa: PLR0913 (one parameter per option)
 ) -> None:
     """Draw variants that can be solved and are far enough apart from the course's spaces."""
     from gripcourse.course.load import load_course
-    from gripcourse.usecases.variants import draw_table
+    from gripcourse.usecases.solving.variants import draw_table
 
     if freely and apart_from is not None:
         raise cli_text.misuse(message("--freely and --apart-from exclude each other."))
@@ -77,7 +77,7 @@ def import_(
 ) -> None:
     """Check an instructor's own table and write it in the form that the other commands read."""
     from gripcourse.course.load import load_course
-    from gripcourse.usecases.variants import import_table
+    from gripcourse.usecases.solving.variants import import_table
 
     words = words_for(language)
     table = import_table(load_course(course_folder(course)), source, out)
@@ -97,7 +97,7 @@ def template(
 ) -> None:
     """Write a table for an instructor to fill in, with the worked example in every row."""
     from gripcourse.course.load import load_course
-    from gripcourse.usecases.variants import write_template
+    from gripcourse.usecases.solving.variants import write_template
 
     words = words_for(language)
     variants = write_template(load_course(course_folder(course)), scheme, rows, out)
@@ -122,7 +122,7 @@ def audit(  # noqa: PLR0913 (one parameter per option)
 ) -> None:
     """Check that a table's variants are far from slips, fair and apart; write a certificate."""
     from gripcourse.course.load import load_course
-    from gripcourse.usecases.audit import audit_drawn, audit_table
+    from gripcourse.usecases.solving.audit import audit_drawn, audit_table
 
     if table is not None and drawn is not None:
         raise cli_text.misuse(message("A table and --drawn were named: one of them is audited."))

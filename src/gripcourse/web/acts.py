@@ -11,8 +11,8 @@ from gripcourse.machine.content import NamedBytes
 from gripcourse.machine.jobs.lost import Lost
 from gripcourse.text.shown import shown
 from gripcourse.text.words import Words, message
-from gripcourse.usecases.hand_in import Receipt, hand_in
-from gripcourse.usecases.publish import publish, published_to, withdraw
+from gripcourse.usecases.publishing.publish import publish, published_to, withdraw
+from gripcourse.usecases.serving.hand_in import Receipt, hand_in
 from gripcourse.variants.model import Issued
 from gripcourse.web.checking import CheckedBothWays, CheckJob
 from gripcourse.web.rates import CHECKS, HAND_INS, REQUESTS

@@ -8,7 +8,7 @@ from datetime import UTC, datetime
 from pathlib import Path, PurePath
 from typing import TYPE_CHECKING, Any, Final
 
-from gripcourse.usecases.batch_tables import GRADES_JSON
+from gripcourse.usecases.grading.batch_tables import GRADES_JSON
 
 if TYPE_CHECKING:
     from subprocess import Popen

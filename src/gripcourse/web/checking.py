@@ -12,8 +12,8 @@ from gripcourse.machine.jobs.pools import PROCESSES, Pool
 from gripcourse.machine.jobs.standing import StandingWorkers
 from gripcourse.policy.model import Policy
 from gripcourse.text.words import Words
-from gripcourse.usecases.check import check_both_ways
-from gripcourse.usecases.desk import DeskContext
+from gripcourse.usecases.grading.check import check_both_ways
+from gripcourse.usecases.serving.desk import DeskContext
 from gripcourse.web.pictures import PaintedPage, picture_of
 
 SECONDS: Final = 20.0

@@ -12,13 +12,13 @@ from gripcourse.gradebook.store import Gradebook
 from gripcourse.machine.content import NamedBytes
 from gripcourse.machine.database.home import home_of
 from gripcourse.text.words import message
-from gripcourse.usecases.begin_grading import begin_grading
-from gripcourse.usecases.desk import DeskContext
-from gripcourse.usecases.hand_in import kept_path, latest
-from gripcourse.usecases.mark import Marking, enter_mark
-from gripcourse.usecases.opening import grading_of
-from gripcourse.usecases.progress import BatchProgress, batch_progress
-from gripcourse.usecases.regrade import Regrading, apply_regrade, regrade, undo_regrade
+from gripcourse.usecases.grading.progress import BatchProgress, batch_progress
+from gripcourse.usecases.marks.mark import Marking, enter_mark
+from gripcourse.usecases.marks.opening import grading_of
+from gripcourse.usecases.marks.regrade import Regrading, apply_regrade, regrade, undo_regrade
+from gripcourse.usecases.serving.begin_grading import begin_grading
+from gripcourse.usecases.serving.desk import DeskContext
+from gripcourse.usecases.serving.hand_in import kept_path, latest
 from gripcourse.web.acts import reason
 from gripcourse.web.batch import LastBatch
 from gripcourse.web.refusals import NOT_FOUND, Code, WebRefusal, unless_in_conflict

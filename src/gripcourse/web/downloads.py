@@ -6,7 +6,7 @@ from starlette.responses import FileResponse, Response, StreamingResponse
 from starlette.routing import Route
 
 from gripcourse.machine.packing import ToPack, packed
-from gripcourse.usecases.downloads import (
+from gripcourse.usecases.publishing.downloads import (
     HAND_INS_ZIP,
     REPORTS_ZIP,
     TABLES,

@@ -15,7 +15,7 @@ from gripcourse.machine.content import NamedBytes
 from gripcourse.machine.files import make_private_folder, write_bytes
 from gripcourse.machine.jobs.lost import Lost
 from gripcourse.text.words import message
-from gripcourse.usecases.hand_in import kept_path
+from gripcourse.usecases.serving.hand_in import kept_path
 from gripcourse.web import acts
 from gripcourse.web.checking import PaintJob
 from gripcourse.web.pictures import PaintedPage

@@ -9,8 +9,8 @@ from gripcourse.access.desk.model import HandIn
 from gripcourse.gradebook.model import Attempt, GradebookEntry, latest_marks_of_all
 from gripcourse.gradebook.store import Gradebook
 from gripcourse.gradebook.works import latest_judged, points_of
-from gripcourse.usecases.desk import DeskContext
-from gripcourse.usecases.hand_in import latest, receipt_of
+from gripcourse.usecases.serving.desk import DeskContext
+from gripcourse.usecases.serving.hand_in import latest, receipt_of
 from gripcourse.variants.model import Issued
 
 

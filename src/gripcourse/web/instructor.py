@@ -10,9 +10,9 @@ from starlette.routing import Route
 
 from gripcourse.gradebook.store import Gradebook
 from gripcourse.text.words import message
-from gripcourse.usecases.hand_in import kept_path, receipt_of
-from gripcourse.usecases.publish import current, published_grades, published_to
-from gripcourse.usecases.sign_in import SESSION_HOURS, sign_in
+from gripcourse.usecases.publishing.publish import current, published_grades, published_to
+from gripcourse.usecases.serving.hand_in import kept_path, receipt_of
+from gripcourse.usecases.serving.sign_in import SESSION_HOURS, sign_in
 from gripcourse.web import acts
 from gripcourse.web.group import GroupMember, GroupState, Wish, row_of, rows_of
 from gripcourse.web.overview import flags_of, titles_of

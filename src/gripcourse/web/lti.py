@@ -27,9 +27,9 @@ from gripcourse.access.lti.states import MINUTES, Signer, check_state, is_of, ne
 from gripcourse.access.lti.tool_key import public_keys
 from gripcourse.access.lti.web_client import make_client
 from gripcourse.text.words import Message, message
-from gripcourse.usecases.links import token_of
-from gripcourse.usecases.lti import NotTold, note_place, store_of, student_of
-from gripcourse.usecases.sign_in import offer_sign_in
+from gripcourse.usecases.serving.links import token_of
+from gripcourse.usecases.serving.lti import NotTold, note_place, store_of, student_of
+from gripcourse.usecases.serving.sign_in import offer_sign_in
 from gripcourse.web.guard import content_policy
 from gripcourse.web.pages import notice, page, visitor_words
 from gripcourse.web.rates import LAUNCHES, REFUSED_LINKS

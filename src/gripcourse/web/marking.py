@@ -18,9 +18,9 @@ from gripcourse.machine.database.home import home_of
 from gripcourse.policy.rubric import Rubric
 from gripcourse.solver.plan import plan_of
 from gripcourse.text.words import Words
-from gripcourse.usecases.desk import DeskContext
-from gripcourse.usecases.hand_in import receipt_of
-from gripcourse.usecases.mark import what_waits
+from gripcourse.usecases.marks.mark import what_waits
+from gripcourse.usecases.serving.desk import DeskContext
+from gripcourse.usecases.serving.hand_in import receipt_of
 from gripcourse.variants.model import Issued
 from gripcourse.web.desk_acts import keep_mark, marks_seen
 from gripcourse.web.drawings import drawings_of, shown_drawing

@@ -11,8 +11,8 @@ from starlette.routing import Route
 from gripcourse.solver.plan import plan_of
 from gripcourse.solver.solve import solve_variant
 from gripcourse.text.words import Words
-from gripcourse.usecases.desk import DeskContext
-from gripcourse.usecases.figures import Facility, group_figures
+from gripcourse.usecases.serving.desk import DeskContext
+from gripcourse.usecases.serving.figures import Facility, group_figures
 from gripcourse.variants.model import Issued
 from gripcourse.web.batch import BatchWork, FoundFlag
 from gripcourse.web.desk_acts import begin_batch, grading_now

@@ -9,7 +9,7 @@ from starlette.routing import Route
 from gripcourse.access.lti.model import Stranger
 from gripcourse.access.lti.platforms import load_platforms
 from gripcourse.text.words import Message, message
-from gripcourse.usecases.lti import bind, chosen_platform, platform_names, store_of
+from gripcourse.usecases.serving.lti import bind, chosen_platform, platform_names, store_of
 from gripcourse.web.refusals import NOT_FOUND, unless_in_conflict
 from gripcourse.web.seat import Seat, desk_route
 from gripcourse.web.site import Site

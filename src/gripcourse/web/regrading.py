@@ -8,7 +8,7 @@ from starlette.routing import Route
 from gripcourse.gradebook.journal import Signed, applied, regrades
 from gripcourse.gradebook.regrade import Shift
 from gripcourse.gradebook.store import Gradebook
-from gripcourse.usecases.regrade import Regrading
+from gripcourse.usecases.marks.regrade import Regrading
 from gripcourse.web.desk_acts import (
     apply_shown,
     digest_of_changes,

@@ -11,7 +11,7 @@ from starlette.routing import Route
 from gripcourse.access.lti.platforms import platforms_path
 from gripcourse.errors import Problem, UsageError
 from gripcourse.text.words import message
-from gripcourse.usecases.desk import DeskContext
+from gripcourse.usecases.serving.desk import DeskContext
 from gripcourse.web.app import make_app
 from gripcourse.web.checking import make_checkers
 from gripcourse.web.site import Site

@@ -9,7 +9,7 @@ from typing import Final
 from anyio import CapacityLimiter
 
 from gripcourse.machine.jobs.standing import StandingWorkers
-from gripcourse.usecases.desk import DeskContext
+from gripcourse.usecases.serving.desk import DeskContext
 from gripcourse.web.batch import BatchReader, OwnBatch
 from gripcourse.web.rates import Counter
 

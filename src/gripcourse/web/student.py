@@ -20,10 +20,10 @@ from gripcourse.policy.model import Tells
 from gripcourse.solver.plan import plan_of
 from gripcourse.text.amounts import NO_BREAK_SPACE
 from gripcourse.text.words import Words, message
-from gripcourse.usecases.hand_in import is_late, kept_path, receipt_of
-from gripcourse.usecases.handout import sheet_path, workbook_path
-from gripcourse.usecases.links import open_link, signed_for
-from gripcourse.usecases.publish import ShownResult, published_to
+from gripcourse.usecases.issuing.handout import sheet_path, workbook_path
+from gripcourse.usecases.publishing.publish import ShownResult, published_to
+from gripcourse.usecases.serving.hand_in import is_late, kept_path, receipt_of
+from gripcourse.usecases.serving.links import open_link, signed_for
 from gripcourse.variants.model import Issued
 from gripcourse.web import acts
 from gripcourse.web.pages import (

@@ -36,7 +36,7 @@ from gripcourse.solver.solve import solve_variant
 from gripcourse.text.number_text import format_number
 from gripcourse.text.units import factor
 from gripcourse.text.words import Words
-from gripcourse.usecases.handout import sheet_path, workbook_path
+from gripcourse.usecases.issuing.handout import sheet_path, workbook_path
 from gripcourse.variants.model import Issued
 from gripcourse.workbook.write import answer_workbook
 from support.leaks import Piece, numbers_in, numbers_told, pieces, places_told, secrets_told
@@ -76,7 +76,7 @@ def demo(tmp_path_factory: pytest.TempPathFactory) -> Demo:
 
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr("gripcourse.cli.demo.run.fill_workbooks", filled)
-        patch.setattr("gripcourse.usecases.handout.assignment_sheet", sheet)
+        patch.setattr("gripcourse.usecases.issuing.handout.assignment_sheet", sheet)
         patch.setattr("gripcourse.documents.report.student.student_report", report)
         for name in ("USER", "LOGNAME", "USERNAME"):
             patch.setenv(name, USER)

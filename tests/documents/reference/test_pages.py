@@ -13,7 +13,7 @@ from gripcourse.course.model import Course
 from gripcourse.course.quantity import Quantity
 from gripcourse.documents.reference.pages import pages
 from gripcourse.text.words import Words
-from gripcourse.usecases.reference import write_reference
+from gripcourse.usecases.authoring.reference import write_reference
 
 if TYPE_CHECKING:
     from .conftest import Page

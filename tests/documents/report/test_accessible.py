@@ -19,7 +19,7 @@ from gripcourse.documents.kind import SampleDocument
 from gripcourse.documents.pdf import render_pdf
 from gripcourse.policy.model import Policy
 from gripcourse.text.words import Words
-from gripcourse.usecases.samples import printed_samples, samples
+from gripcourse.usecases.authoring.samples import printed_samples, samples
 from gripcourse.variants.space import load_spaces
 from support.printed import pages_of
 

@@ -14,7 +14,7 @@ from gripcourse.machine.content import Readable
 from gripcourse.machine.jobs.limits import Limits
 from gripcourse.machine.jobs.warm import do_apart
 from gripcourse.machine.jobs.workers import in_order, run_each
-from gripcourse.usecases.student_reports import Printing, student_pdf
+from gripcourse.usecases.grading.student_reports import Printing, student_pdf
 
 
 class Luggage:

@@ -28,17 +28,17 @@ from gripcourse.machine.jobs.lost import Lost
 from gripcourse.machine.jobs.pools import PROCESSES, Pool
 from gripcourse.machine.jobs.program import differences, program_here
 from gripcourse.machine.jobs.workers import in_order, run_each
-from gripcourse.usecases.collect import collect
-from gripcourse.usecases.grade import grade, write_results
-from gripcourse.usecases.gradebook import keep
-from gripcourse.usecases.student_reports import LayOut
+from gripcourse.usecases.grading.collect import collect
+from gripcourse.usecases.grading.grade import grade, write_results
+from gripcourse.usecases.grading.student_reports import LayOut
+from gripcourse.usecases.marks.gradebook import keep
 from support.classroom import Classroom, forget_one_jaw
 from support.dask_cluster import DaskCluster, dask_cluster
 
 pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="workers are bounded on Linux")
 
 HERE = Path(__file__).parent
-USE_CASES = HERE.parents[1] / "usecases"
+USE_CASES = HERE.parents[1] / "usecases" / "grading"
 NOW = datetime(2026, 12, 9, 9, tzinfo=UTC)
 NOBODY = "tcp://127.0.0.1:9"
 OLDER = {"gripcourse": "0.0.9 (an older one)"}
@@ -134,7 +134,7 @@ def story(
         pytest.MonkeyPatch.context() as patch,
         dask_cluster(folder, (HERE, USE_CASES), 2) as cluster,
     ):
-        patch.setattr("gripcourse.usecases.grade.cohort_pdf", fake.cohort_page)
+        patch.setattr("gripcourse.usecases.grading.grade.cohort_pdf", fake.cohort_page)
         yield happened(batch, errands, cluster, patch)
 
 

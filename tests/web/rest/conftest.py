@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import pytest
 from starlette.testclient import TestClient
 
-from gripcourse.usecases.sign_in import offer_sign_in, sign_in
+from gripcourse.usecases.serving.sign_in import offer_sign_in, sign_in
 from gripcourse.web.app import make_app
 from gripcourse.web.checking import make_checkers
 from gripcourse.web.rest.declare import TokenRole

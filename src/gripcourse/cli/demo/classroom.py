@@ -6,7 +6,7 @@ from typing import Final
 from gripcourse.course.model import Course
 from gripcourse.machine.files import write_bytes, write_text
 from gripcourse.text.words import Words, message
-from gripcourse.usecases.variants import draw_table
+from gripcourse.usecases.solving.variants import draw_table
 from gripcourse.variants.table import read_table
 
 _ROSTER: Final = Path("variants") / "roster.csv"

@@ -24,12 +24,12 @@ from gripcourse.policy.load import load_policy
 from gripcourse.policy.rubric import RubricLine
 from gripcourse.solver.plan import plan_of
 from gripcourse.text.words import Words, message
-from gripcourse.usecases.grade import GradingOutcome, grade, write_results
-from gripcourse.usecases.gradebook import keep
-from gripcourse.usecases.handout import workbook_path
-from gripcourse.usecases.init import init_course
-from gripcourse.usecases.issue import Issuing, Order, issue_order
-from gripcourse.usecases.mark import Marking, enter_mark
+from gripcourse.usecases.authoring.init import init_course
+from gripcourse.usecases.grading.grade import GradingOutcome, grade, write_results
+from gripcourse.usecases.issuing.handout import workbook_path
+from gripcourse.usecases.issuing.issue import Issuing, Order, issue_order
+from gripcourse.usecases.marks.gradebook import keep
+from gripcourse.usecases.marks.mark import Marking, enter_mark
 from gripcourse.variants.model import Issued
 
 # The demo tells the same story every day.

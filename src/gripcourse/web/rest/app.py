@@ -14,7 +14,7 @@ from starlette.routing import Route
 from gripcourse.access.desk.links import Refused
 from gripcourse.exports.plain import to_plain
 from gripcourse.text.words import Words, message
-from gripcourse.usecases.links import open_link, signed_for
+from gripcourse.usecases.serving.links import open_link, signed_for
 from gripcourse.variants.model import Issued
 from gripcourse.web.downloads import zip_response
 from gripcourse.web.faults import fault_handlers

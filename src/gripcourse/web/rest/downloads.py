@@ -4,8 +4,9 @@ from collections.abc import Sequence
 from typing import Final
 
 from gripcourse.machine.packing import ToPack
-from gripcourse.usecases.batch_tables import FILES_CSV, GRADES_CSV
-from gripcourse.usecases.downloads import (
+from gripcourse.usecases.grading.batch_tables import FILES_CSV, GRADES_CSV
+from gripcourse.usecases.grading.grade import COHORT_PDF
+from gripcourse.usecases.publishing.downloads import (
     HAND_INS_ZIP,
     REPORTS_ZIP,
     TABLES,
@@ -13,7 +14,6 @@ from gripcourse.usecases.downloads import (
     hand_ins_to_pack,
     reports_to_pack,
 )
-from gripcourse.usecases.grade import COHORT_PDF
 from gripcourse.web.downloads import ZIP
 from gripcourse.web.refusals import NOT_FOUND, WebRefusal
 from gripcourse.web.rest.declare import ApiOperation, DeskCall, SentFile, SentZip, TokenRole

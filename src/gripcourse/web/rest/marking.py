@@ -8,8 +8,8 @@ from gripcourse.errors import UsageError
 from gripcourse.gradebook.enter import Draft
 from gripcourse.machine.database.home import home_of
 from gripcourse.text.words import Words
-from gripcourse.usecases.hand_in import receipt_of
-from gripcourse.usecases.mark import what_waits
+from gripcourse.usecases.marks.mark import what_waits
+from gripcourse.usecases.serving.hand_in import receipt_of
 from gripcourse.web import acts
 from gripcourse.web.desk_acts import keep_mark, marks_seen
 from gripcourse.web.drawings import NOT_SHOWN, painted

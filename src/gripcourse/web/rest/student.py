@@ -13,10 +13,10 @@ from gripcourse.policy.model import Tells
 from gripcourse.solver.plan import plan_of
 from gripcourse.text.units import unit_text
 from gripcourse.text.words import Words
-from gripcourse.usecases.desk import DeskContext
-from gripcourse.usecases.hand_in import Receipt, kept_path, receipt_of
-from gripcourse.usecases.handout import sheet_path, workbook_path
-from gripcourse.usecases.publish import published_to
+from gripcourse.usecases.issuing.handout import sheet_path, workbook_path
+from gripcourse.usecases.publishing.publish import published_to
+from gripcourse.usecases.serving.desk import DeskContext
+from gripcourse.usecases.serving.hand_in import Receipt, kept_path, receipt_of
 from gripcourse.variants.model import Issued
 from gripcourse.web import acts
 from gripcourse.web.refusals import NOT_FOUND, NOT_PUBLISHED, Code, WebRefusal

@@ -7,7 +7,7 @@ from typing import Final
 from gripcourse.gradebook.journal import Regrade, applied, regrades
 from gripcourse.gradebook.regrade import Shift, WorkChange
 from gripcourse.gradebook.store import Gradebook
-from gripcourse.usecases.figures import Facility, group_figures
+from gripcourse.usecases.serving.figures import Facility, group_figures
 from gripcourse.web.batch import LastBatch
 from gripcourse.web.desk_acts import (
     apply_shown,

@@ -6,7 +6,7 @@ from typing import ClassVar
 
 from gripcourse.access.desk.model import GradedBatch
 from gripcourse.gradebook.regrade import Shift
-from gripcourse.usecases.progress import BatchProgress
+from gripcourse.usecases.grading.progress import BatchProgress
 
 
 @dataclass(frozen=True, slots=True)

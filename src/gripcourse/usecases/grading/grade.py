@@ -1,0 +1,267 @@
+"""Grading a batch: files in; reports, grades and what a person must look at out."""
+
+from collections.abc import Callable, Collection, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from datetime import date
+from pathlib import Path
+
+from gripcourse.batch.one_file import GradingContext
+from gripcourse.batch.run import Graded, grade_files, incident_number, is_found_out
+from gripcourse.documents.report.totals import counting, shares
+from gripcourse.exports.grades import FOUND
+from gripcourse.exports.report_json import said_in
+from gripcourse.gradebook.model import RESULTS
+from gripcourse.grading.model import Flag, FlagCode, Report
+from gripcourse.likeness.works import TYPED
+from gripcourse.machine.content import Readable
+from gripcourse.machine.files import (
+    discard_unfinished,
+    write_bytes,
+    write_text,
+)
+from gripcourse.machine.jobs.pools import PROCESSES, Pool
+from gripcourse.machine.jobs.workers import Lost, run_each
+from gripcourse.machine.spreadsheet.refusals import WhyRefused
+from gripcourse.text.words import message
+from gripcourse.usecases.grading.batch_tables import (
+    FILES_CSV,
+    GRADES_CSV,
+    GRADES_JSON,
+    missing,
+    renew_tables,
+)
+from gripcourse.usecases.grading.collect import PassedOver
+from gripcourse.usecases.grading.student_reports import (
+    AsItWas,
+    LayOut,
+    Printing,
+    Written,
+    cohort_pdf,
+    student_pdf,
+    write_reports,
+)
+from gripcourse.usecases.grading.unchanged import Earlier, PrintedBefore, TakenOver, told_of
+from gripcourse.variants.model import Student
+
+COHORT_PDF = "cohort.pdf"
+INCIDENTS = "incidents.log"
+REPORTS = "reports"
+
+
+@dataclass(frozen=True, slots=True)
+class GradingOutcome:
+    """What a batch came to.
+
+    Attributes:
+        reports: one per file, in order.
+        written: the student reports, by file.
+        cohort: the cohort report, None where it could not be laid out or nobody wants it.
+        needs_person: whether something waits for a person.
+        passed_over: files that were found and not looked at.
+        left_over: student reports of earlier runs that this one did not renew.
+        taken_over: what was neither graded nor printed again.
+        grades_only: whether nobody wanted anything printed.
+        missing: students to whom something was issued and whose work is not in the batch, by id.
+        cohort_fault: why the cohort report could not be laid out.
+    """
+
+    reports: tuple[Report, ...]
+    written: Mapping[str, Path]
+    cohort: Path | None
+    needs_person: bool
+    passed_over: tuple[PassedOver, ...] = ()
+    left_over: tuple[Path, ...] = ()
+    taken_over: TakenOver = field(default_factory=TakenOver)
+    grades_only: bool = False
+    missing: tuple[Student, ...] = ()
+    cohort_fault: str = ""
+
+
+def grade(
+    files: Sequence[Readable],
+    context: GradingContext,
+    workers: int,
+    on_done: Callable[[Readable], None],
+    earlier: Earlier | None = None,
+    pool: Pool = PROCESSES,
+) -> tuple[Graded, ...]:
+    """Grade files, but for those that an earlier run graded; see `batch.run.grade_files`."""
+    kept = None if earlier is None else earlier.reports
+    count = min(workers, len(files))
+    # What the gradebook, the search for likeness and the tables ask of every work.
+    wanted = (RESULTS, TYPED, FOUND, said_in(context.course.language))
+    return grade_files(files, context, count, on_done, kept=kept, pool=pool, wanted=wanted)
+
+
+def write_results(  # noqa: PLR0913 (the last is what everybody leaves as it is)
+    graded: Sequence[Graded],
+    context: GradingContext,
+    out: Path,
+    graded_on: date,
+    workers: int,
+    on_done: Callable[[Path], None],
+    *,
+    passed_over: Sequence[PassedOver] = (),
+    lay_out: LayOut | None = student_pdf,
+    earlier: Earlier | None = None,
+    pool: Pool = PROCESSES,
+) -> GradingOutcome:
+    """Write student reports, the cohort report, grades as CSV and JSON, and the incidents.
+
+    A report that cannot be laid out is an incident of that student; the others are written. So it
+    is with the cohort report: grades are never lost for it.
+
+    What an earlier run printed from the very same is left as it is.
+
+    Args:
+        graded: what is written.
+        context: the course, its policy and the register.
+        out: folder to write to.
+        graded_on: the day that is printed.
+        workers: how many processes lay out reports.
+        on_done: called with each file.
+        passed_over: files that were found and not looked at.
+        lay_out: lays out a student's report; None to print nothing.
+        earlier: what an earlier run left.
+        pool: kind of workers.
+    """
+    _discard_unfinished(out)
+    plain = [one.report for one in graded]
+    peers = tuple(shares(counting(plain)))
+    printing = Printing(
+        context.course, context.policy, graded_on, peers=peers, declared=context.declared
+    )
+    printed = None if earlier is None else earlier.printed
+    outcomes: Sequence[Written] = [None] * len(plain)
+    if lay_out is not None:
+        outcomes = write_reports(
+            plain, printing, out / REPORTS, workers, on_done, lay_out, printed=printed, pool=pool
+        )
+    reports = [_with_incident(*pair) for pair in zip(plain, outcomes, strict=True)]
+    written = {
+        report.file: path
+        for report, one in zip(reports, outcomes, strict=True)
+        if (path := one.path if isinstance(one, AsItWas) else one) and isinstance(path, Path)
+    }
+    incidents = [one.incident for one in graded if one.incident]
+    incidents += [
+        _told(one, f"report of {report.file}")
+        for report, one in zip(reports, outcomes, strict=True)
+        if isinstance(one, Lost)
+    ]
+    renew_tables(reports, context, out, passed_over, printed)
+    failed = None
+    if lay_out is not None:
+        failed = _print_cohort(reports, printing, out / COHORT_PDF, workers, printed)
+    if failed is not None:
+        incidents.append(_told(failed, COHORT_PDF))
+    if incidents:
+        write_text(out / INCIDENTS, "\n".join(incidents), private=True)
+    else:
+        # Those of an earlier run into the same folder have been mended.
+        (out / INCIDENTS).unlink(missing_ok=True)
+    cohort = None if failed is not None or lay_out is None else out / COHORT_PDF
+    return GradingOutcome(
+        reports=tuple(reports),
+        written=written,
+        cohort=cohort,
+        needs_person=failed is not None
+        or any(one.flags for one in reports)
+        or any(one.needs_person for one in passed_over),
+        passed_over=tuple(passed_over),
+        left_over=left_over(out, {*written.values(), *([] if cohort is None else [cohort])}),
+        taken_over=TakenOver(
+            results=sum(one.taken_over for one in graded),
+            reports=sum(isinstance(one, AsItWas) for one in outcomes),
+        ),
+        grades_only=lay_out is None,
+        missing=missing(reports, context),
+        cohort_fault="" if failed is None else failed.reason,
+    )
+
+
+def is_settled(graded: Sequence[Graded], context: GradingContext, out: Path, workers: int) -> bool:
+    """Tell whether the next run need not look at any file or report again while nothing changes.
+
+    What was gone, and what failed on our side, may be the machine's fault of that day.
+
+    Args:
+        graded: the batch.
+        context: that it was graded with.
+        out: folder of its results, written.
+        workers: how many processes graded it.
+    """
+    whole = all(_is_settled(one.report, context, workers) for one in graded)
+    return whole and not (out / INCIDENTS).exists()
+
+
+def _is_settled(report: Report, context: GradingContext, workers: int) -> bool:
+    """Tell whether all is known of a file; one that is damaged inside its zip has no bytes."""
+    damaged = not report.digest and report.refusal == WhyRefused.DAMAGED
+    return damaged or is_found_out(report, context, workers)
+
+
+def taken_over_next_time(outcome: GradingOutcome) -> GradingOutcome:
+    """Return what the next run comes to while nothing changes."""
+    taken_over = TakenOver(results=len(outcome.reports), reports=len(outcome.written))
+    return replace(outcome, taken_over=taken_over)
+
+
+def left_over(out: Path, written: Collection[Path]) -> tuple[Path, ...]:
+    """Return the reports among the results that this run did not write.
+
+    They stay: somebody may grade one student after the other into the same folder. But who is no
+    longer in the batch still has a report there, and nobody should take it for today's.
+    """
+    found = {*(out / REPORTS).glob("*.pdf"), *out.glob(COHORT_PDF)}
+    return tuple(sorted(found - set(written)))
+
+
+def _print_cohort(
+    reports: Sequence[Report],
+    printing: Printing,
+    path: Path,
+    workers: int,
+    printed: PrintedBefore | None,
+) -> Lost | None:
+    """Print the cohort report.
+
+    Returns:
+        Why it could not be laid out, None where it was.
+    """
+    made_from = told_of(*reports) if printed else ""
+    if printed and printed.stands(path, made_from):
+        return None
+    plain = Printing(printing.course, printing.policy, printing.graded_on)
+    ((_, pdf),) = run_each(
+        cohort_pdf, [tuple(reports)], plain, workers=min(workers, 1), seconds=plain.seconds
+    )
+    if isinstance(pdf, Lost):
+        # An earlier one would say something else than the grades.
+        path.unlink(missing_ok=True)
+        return pdf
+    write_bytes(path, pdf, private=True)
+    if printed:
+        printed.note(path, made_from)
+    return None
+
+
+def _discard_unfinished(out: Path) -> None:
+    """Remove what a run that was killed left half-written."""
+    for name in (GRADES_JSON, GRADES_CSV, FILES_CSV, COHORT_PDF, INCIDENTS):
+        discard_unfinished(out / name)
+
+
+def _told(lost: Lost, of: str) -> str:
+    return f"incident {incident_number(lost.trace)}: {of}\n{lost.trace}"
+
+
+def _with_incident(report: Report, outcome: Written) -> Report:
+    if not isinstance(outcome, Lost):
+        return report
+    said = message(
+        "The report could not be laid out (incident {number}): {reason}",
+        number=incident_number(outcome.trace),
+        reason=outcome.reason,
+    )
+    return replace(report, flags=(*report.flags, Flag(FlagCode.REPORT_INCIDENT, said)))

@@ -1,0 +1,1 @@
+"""What students get: issued, corrected, printed, and traced back to who got it."""

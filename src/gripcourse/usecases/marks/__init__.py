@@ -1,0 +1,1 @@
+"""What persons and the gradebook add to grades: marks, regrades, waivers, whose a file is."""

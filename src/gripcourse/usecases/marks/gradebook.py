@@ -1,0 +1,239 @@
+"""Keeping what was graded, and letting the marks of persons enter the reports."""
+
+from collections import defaultdict
+from collections.abc import Container, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from datetime import datetime
+from types import MappingProxyType
+from typing import Final
+
+from gripcourse.batch.one_file import GradingContext
+from gripcourse.batch.run import Graded
+from gripcourse.gradebook.apply import as_it_stands, with_marks
+from gripcourse.gradebook.deadlines import Deadline, course_deadlines, deadline_of
+from gripcourse.gradebook.fingerprint import fingerprints
+from gripcourse.gradebook.journal import Published, publications, told_works, waivers
+from gripcourse.gradebook.model import (
+    Attempt,
+    Fingerprints,
+    GradebookEntry,
+    attempt_of,
+    latest_marks,
+)
+from gripcourse.gradebook.store import Gradebook, open_gradebook
+from gripcourse.gradebook.timing import Rules, Waiver, timings_of
+from gripcourse.gradebook.works import StudentWork, works_of
+from gripcourse.grading.folded import Shelf
+from gripcourse.grading.model import FlagCode, Report, Timing
+from gripcourse.machine.database.home import exists
+from gripcourse.policy.time_rules import LateRule
+from gripcourse.usecases.marks.handed_in import HandingTime
+from gripcourse.variants.model import Issued
+
+# Their attempts take some ten kilobytes each.
+_STUDENTS_AT_ONCE: Final = 200
+
+_NO_TIMES: Mapping[str, HandingTime] = MappingProxyType({})
+
+
+def check_gradebook(place: str) -> None:
+    """Refuse a gradebook that cannot be used before a batch is graded for nothing.
+
+    Raises:
+        GradebookError: it is there already and cannot be used.
+    """
+    if exists(place):
+        open_gradebook(place)
+
+
+def with_kept_versions(context: GradingContext, place: str) -> GradingContext:
+    """Return the context that knows for which files any version may count, as was said before.
+
+    Raises:
+        GradebookError: the gradebook is there and cannot be used.
+    """
+    if not exists(place):
+        return context
+    book = open_gradebook(place)
+    works = works_of(book.standing(book.students_of_either_version())).values()
+    said = (one.digest for all_ in works for one in all_ if one.attempt.either_version)
+    return replace(context, either_for=frozenset(said))
+
+
+def keep(
+    graded: Sequence[Graded],
+    context: GradingContext,
+    place: str,
+    now: datetime,
+    times: Mapping[str, HandingTime] = _NO_TIMES,
+) -> tuple[Graded, ...]:
+    """Keep a batch in the gradebook, and return it with the marks of persons.
+
+    A work that its student was told about stands as it was told; only a regrade changes that.
+
+    Args:
+        graded: what the program found by itself.
+        context: the course.
+        place: of the gradebook: a path or a database URL; made where there is none yet.
+        now: when the batch was graded.
+        times: when files were handed in, by name.
+
+    Raises:
+        GradebookError: the gradebook cannot be used.
+        TableError: the table of deadlines cannot be used.
+    """
+    places: dict[str, list[int]] = {}
+    for number, one in enumerate(graded):
+        if one.report.student and one.report.digest:
+            places.setdefault(one.report.student, []).append(number)
+    if not places:
+        # Nobody's file: a gradebook is not made for nothing.
+        return tuple(graded)
+    deadlines = course_deadlines(context.course.root, context.policy.late)
+    book = open_gradebook(place)
+    keeping = _Keeping(
+        context=context,
+        book=book,
+        now=now,
+        fingerprints=fingerprints(context.course.root),
+        times=times,
+        deadlines=deadlines,
+        told=publications(book),
+        waived=waivers(book),
+    )
+    kept, shelf = list(graded), Shelf(register=context.register)
+    for students in _portions(list(places)):
+        for student, reports in _kept(keeping, students, places, graded):
+            for number, report in zip(places[student], reports, strict=True):
+                kept[number] = replace(graded[number], report=shelf.put(report))
+    return tuple(kept)
+
+
+@dataclass(frozen=True, slots=True)
+class _Keeping:
+    """What is the same for all students of a batch.
+
+    Attributes:
+        context: the course.
+        book: the gradebook.
+        now: when the batch was graded.
+        fingerprints: of what graded.
+        times: when files were handed in, by name.
+        deadlines: of the course's table.
+        told: what students were told so far.
+        waived: the waivers of each student.
+    """
+
+    context: GradingContext
+    book: Gradebook
+    now: datetime
+    fingerprints: Fingerprints
+    times: Mapping[str, HandingTime]
+    deadlines: tuple[Deadline, ...]
+    told: Sequence[Published]
+    waived: Mapping[str, tuple[Waiver, ...]]
+
+
+def _portions(students: Sequence[str]) -> Iterator[Sequence[str]]:
+    """Part students: what the gradebook knows of all at once is large."""
+    for start in range(0, len(students), _STUDENTS_AT_ONCE):
+        yield students[start : start + _STUDENTS_AT_ONCE]
+
+
+def _kept(
+    keeping: _Keeping,
+    students: Sequence[str],
+    places: Mapping[str, Sequence[int]],
+    graded: Sequence[Graded],
+) -> Iterator[tuple[str, list[Report]]]:
+    """Keep the works of some students; yield their reports as the gradebook says."""
+    book, policy = keeping.book, keeping.context.policy
+    reports = {name: [graded[number].report for number in places[name]] for name in students}
+    found = (
+        attempt_of(report, keeping.now, keeping.fingerprints)
+        for mine in reports.values()
+        for report in mine
+    )
+    attempts = [_timed(one, keeping.times.get(one.file)) for one in found if one is not None]
+    known, undone = book.attempts(students), book.undone()
+    told = told_works(keeping.told, known)
+    before = works_of(one for one in known if one.regrade not in undone)
+    added = book.add_attempts(_to_add(attempts, told, before), known)
+    known = (*known, *added)
+    entries: dict[str, list[GradebookEntry]] = defaultdict(list)
+    for entry in book.entries(students, known):
+        entries[entry.mark.student].append(entry)
+    works = works_of(one for one in known if one.regrade not in undone)
+    for name in students:
+        stands = {one.digest: one.attempt for one in works[name] if (name, one.digest) in told}
+        entered = [_entered(one, stands.get(one.digest), entries[name]) for one in reports[name]]
+        if policy.late is not None or policy.attempts is not None:
+            issued = keeping.context.register.get(name)
+            timings = timings_of(
+                works[name],
+                latest_marks(entries[name]),
+                _deadline(issued, keeping.deadlines, policy.late),
+                keeping.waived.get(name, (None,))[-1],
+                Rules(policy.late, policy.attempts),
+            )
+            entered = [replace(one, timing=timings.get(one.digest)) for one in entered]
+            if policy.attempts is not None and _is_ordered(timings.values()):
+                entered = [_undisputed(one) for one in entered]
+        yield name, entered
+
+
+def _is_ordered(timings: Iterable[Timing]) -> bool:
+    """Tell whether it is known which work of a student was handed in before which."""
+    times = [one.handed_in for one in timings]
+    return None not in times and len(set(times)) == len(times)
+
+
+def _undisputed(report: Report) -> Report:
+    """Return a report that asks nobody which of a student's works counts: the policy says it."""
+    kept = tuple(flag for flag in report.flags if flag.code is not FlagCode.SEVERAL_FILES)
+    return replace(report, flags=kept)
+
+
+def _timed(attempt: Attempt, handed_in: HandingTime | None) -> Attempt:
+    if handed_in is None:
+        return attempt
+    return replace(attempt, handed_in=handed_in.at, handed_in_said=handed_in.said)
+
+
+def _to_add(
+    attempts: Sequence[Attempt],
+    told: Container[tuple[str, str]],
+    works: Mapping[str, Sequence[StudentWork]],
+) -> list[Attempt]:
+    """Return what is to be kept: of published works nothing but the time that a person says."""
+    stands = {(one.student, one.digest): one.attempt for all_ in works.values() for one in all_}
+    kept: list[Attempt] = []
+    for one in attempts:
+        key = one.student, one.digest
+        if key not in told:
+            kept.append(one)
+        elif one.handed_in_said:
+            kept.append(
+                replace(
+                    stands[key],
+                    graded_at=one.graded_at,
+                    handed_in=one.handed_in,
+                    handed_in_said=True,
+                )
+            )
+    return kept
+
+
+def _deadline(
+    issued: Issued | None, deadlines: tuple[Deadline, ...], late: LateRule | None
+) -> datetime | None:
+    if issued is None or late is None:
+        return None
+    return deadline_of(issued, deadlines, late.time_zone)
+
+
+def _entered(report: Report, stands: Attempt | None, entries: Sequence[GradebookEntry]) -> Report:
+    """Return a report as the gradebook says: what was published stands, marks of persons count."""
+    if stands is not None and report.judged:
+        report = as_it_stands(report, stands)
+    return with_marks(report, entries)

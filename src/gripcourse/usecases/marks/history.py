@@ -1,0 +1,176 @@
+"""What the gradebook knows of one student: every attempt, mark and regrade, in order of time."""
+
+from collections.abc import Callable, Container, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from datetime import datetime
+
+from gripcourse.access.desk.model import GradedBatch
+from gripcourse.access.desk.store import batches_by_time
+from gripcourse.errors import Problem, UsageError
+from gripcourse.gradebook.journal import publications, regrades, waivers
+from gripcourse.gradebook.model import Attempt, GradebookEntry
+from gripcourse.gradebook.timing import Waiver
+from gripcourse.gradebook.works import in_order, points_of, works_of
+from gripcourse.text.shown import shown
+from gripcourse.text.suggestion import did_you_mean
+from gripcourse.text.words import Message, message
+from gripcourse.usecases.marks.mark import existing_gradebook
+
+_DECIMALS = 2
+
+
+@dataclass(frozen=True, slots=True)
+class Event:
+    """One thing that happened to a student's grade.
+
+    Attributes:
+        at: when.
+        person: who did it; empty where files were graded and nobody said by whom.
+        what: happened.
+        why: in the words of the person; empty for none.
+    """
+
+    at: datetime
+    person: str
+    what: Message
+    why: str
+
+
+def history(
+    place: str,
+    student: str,
+    known: Container[str] = (),
+    called: Callable[[str], str] = str,
+) -> tuple[Event, ...]:
+    """Return what happened to a student's grade, oldest first.
+
+    Args:
+        place: of the gradebook: a path or a database URL.
+        student: id.
+        known: students of the register; of these nothing may have happened yet.
+        called: what people call the quantity of an id.
+
+    Raises:
+        GradebookError: there is no gradebook, or it cannot be used.
+        UsageError: nobody knows the student.
+    """
+    book = existing_gradebook(place)
+    attempts = book.attempts({student})
+    waived = waivers(book)
+    if not attempts and student not in known and student not in waived:
+        everybody = {one.student for one in book.attempts()}
+        what = message("The register has no student '{student}'.", student=student)
+        remedy = did_you_mean(student, everybody)
+        raise UsageError([Problem("", "", what, remedy, parameter="student")])
+    touched = {one.regrade for one in attempts} - {None}
+    events: list[Event] = []
+    for one in regrades(book):
+        if one.number in touched or one.undoes in touched:
+            what = (
+                message("Regrade {number} was applied.", number=one.number)
+                if one.undoes is None
+                else message("Regrade {number} was taken back.", number=one.undoes)
+            )
+            events.append(Event(one.signed.done_at, one.signed.person, what, one.signed.why))
+    batches = batches_by_time(book.engine)
+    numbers = _numbers(attempts)
+    events += _of_attempts(attempts, numbers, batches)
+    events += [_of_mark(entry, called) for entry in book.entries({student})]
+    for told in publications(book):
+        if told.student == student:
+            said = message(
+                "Points told to the student: {points} of {most} (attempt {number}).",
+                points=round(told.points, _DECIMALS),
+                most=round(told.max_points, _DECIMALS),
+                number=numbers.get(told.attempt, told.attempt),
+            )
+            events.append(Event(told.signed.done_at, told.signed.person, said, ""))
+    events += [_of_waiver(one) for one in waived.get(student, ())]
+    return tuple(sorted(events, key=lambda one: one.at))
+
+
+def _of_waiver(waiver: Waiver) -> Event:
+    if waiver.withdrawn:
+        what = message("The waiver was withdrawn: lateness is counted.")
+    elif waiver.until is None:
+        what = message("Lateness is not counted.")
+    else:
+        until = f"{waiver.until:%Y-%m-%d %H:%M}Z"
+        what = message("Lateness is not counted until {until}.", until=until)
+    return Event(waiver.done_at, waiver.person, what, waiver.why)
+
+
+def versions_text(attempt: Attempt) -> str:
+    """Write what graded an attempt: the first digits of each fingerprint."""
+    used = attempt.fingerprints
+    return "/".join(one[:7] or "—" for one in (used.engine, used.course, used.policy))
+
+
+def _numbers(attempts: Sequence[Attempt]) -> Mapping[int, int]:
+    """Return the number that reports give to the work, by the gradebook's number of each entry."""
+    works = [one for found in works_of(attempts).values() for one in in_order(found)]
+    of_work = {one.digest: number for number, one in enumerate(works, start=1)}
+    return {one.number: of_work[one.digest] for one in attempts}
+
+
+def _of_attempts(
+    attempts: Sequence[Attempt], numbers: Mapping[int, int], batches: Mapping[datetime, GradedBatch]
+) -> Iterator[Event]:
+    """Yield what was found of each work at first, and each time when it was graded otherwise."""
+    known: set[str] = set()
+    for one in attempts:
+        batch = batches.get(one.graded_at)
+        person, why = ("", "") if batch is None else (batch.by, batch.why)
+        what = message(
+            "{work}, {file}: {result}",
+            work=_work(one, numbers[one.number], is_known=one.digest in known),
+            file=" ".join(_parts(one)),
+            result=_result(one),
+        )
+        known.add(one.digest)
+        yield Event(one.graded_at, person, what, why)
+
+
+def _work(attempt: Attempt, number: int, *, is_known: bool) -> Message:
+    if attempt.regrade is not None:
+        regrade = attempt.regrade
+        return message("Attempt {number} in regrade {regrade}", number=number, regrade=regrade)
+    if is_known:
+        return message("Attempt {number} graded again", number=number)
+    return message("Attempt {number}", number=number)
+
+
+def _result(attempt: Attempt) -> Message:
+    if not attempt.judged:
+        return message("not judged.")
+    sums = points_of(attempt.results, {})
+    return message(
+        "Points by the program: {points} of {most}.",
+        points=round(sums.score, _DECIMALS),
+        most=round(sums.max_score, _DECIMALS),
+    )
+
+
+def _parts(attempt: Attempt) -> Iterator[str]:
+    yield shown(attempt.file)
+    # Of what was issued, where it was issued anew: `v2` judged it, `v2*` as the better of several.
+    version = f"; v{attempt.version}" if attempt.version > 1 or attempt.either_version else ""
+    chosen = "*" if attempt.either_version else ""
+    yield f"({attempt.digest[:7]}; {versions_text(attempt)}{version}{chosen})"
+
+
+def _of_mark(entry: GradebookEntry, called: Callable[[str], str]) -> Event:
+    mark = entry.mark
+    item = called(mark.quantity)
+    if mark.credit is None:
+        what = message("{item}: withdrawn.", item=item)
+    else:
+        result = entry.attempt.by_quantity.get(mark.quantity)
+        possible = result.max_points if result else 0.0
+        what = message(
+            "{item}: points {points} of {most}.",
+            item=item,
+            points=round(mark.credit * possible, _DECIMALS),
+            most=round(possible, _DECIMALS),
+        )
+    return Event(mark.marked_at, mark.marker, what, mark.comment)

@@ -1,0 +1,118 @@
+"""What grading and marking need of a course, loaded and checked."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from pathlib import Path
+
+from gripcourse.batch.one_file import GradingContext
+from gripcourse.course.load import load_course
+from gripcourse.course.model import Course
+from gripcourse.errors import NextStep, Problem, UsageError
+from gripcourse.gradebook.deadlines import course_deadlines
+from gripcourse.grading.path_pattern import path_pattern
+from gripcourse.issuing.store import read_register
+from gripcourse.machine.content import Readable
+from gripcourse.machine.office import office_command
+from gripcourse.policy.load import load_policy
+from gripcourse.policy.model import Policy
+from gripcourse.policy.time_rules import zone_of
+from gripcourse.text.words import message
+from gripcourse.usecases.issuing.declarations import kept_declarations
+from gripcourse.usecases.marks.batch_wish import BatchWish
+from gripcourse.usecases.marks.gradebook import check_gradebook, with_kept_versions
+from gripcourse.usecases.marks.handed_in import HandingTime, handed_in_times
+from gripcourse.usecases.marks.whose import read_whose
+
+
+def open_grading(root: Path) -> GradingContext:
+    """Load a course, its policy and its register.
+
+    Raises:
+        CourseError: with all problems of course or policy.
+        RegisterError: the register cannot be used.
+    """
+    course = load_course(root)
+    return grading_of(course, load_policy(course))
+
+
+def grading_of(course: Course, policy: Policy) -> GradingContext:
+    """Read the register of a loaded course.
+
+    Raises:
+        RegisterError: the register cannot be used.
+    """
+    register = read_register(course.root, course.id)
+    versions = register.versions() if register.earlier else {}
+    earlier = {student: all_[:-1] for student, all_ in versions.items() if all_[1:]}
+    return GradingContext(
+        course,
+        policy,
+        register.by_student(),
+        office=office_command(),
+        earlier=earlier,
+        declared=kept_declarations(course.root, register),
+    )
+
+
+def as_wished(
+    wish: BatchWish,
+    files: Sequence[Readable],
+    context: GradingContext,
+    place: str | None,
+    workers: int,
+) -> tuple[GradingContext, Mapping[str, HandingTime]]:
+    """Return what a batch is graded with, and when its files were handed in, by name.
+
+    What cannot be used is refused here, before anything is graded for nothing.
+
+    Args:
+        wish: of a person.
+        files: of the batch.
+        context: of the course.
+        place: of the gradebook, a path or a database URL; None for none.
+        workers: how many processes open files.
+
+    Raises:
+        UsageError: with what cannot be used of the wish.
+        GradebookError: the gradebook is there and cannot be used.
+        TableError: the course's table of deadlines cannot be used.
+    """
+    context = replace(
+        context,
+        whose=read_whose(wish.whose, files, context.register),
+        pattern=None if wish.pattern is None else path_pattern(wish.pattern, context.register),
+        either_version=wish.either_version,
+    )
+    if wish.recalculate:
+        context = recalculating(context, workers)
+    late = context.policy.late
+    times = handed_in_times(wish.handed_in, files, zone_of(late))
+    if place is not None:
+        check_gradebook(place)
+        context = with_kept_versions(context, place)
+        # Read again where they are needed.
+        course_deadlines(context.course.root, late)
+    return context, times
+
+
+def recalculating(context: GradingContext, workers: int) -> GradingContext:
+    """Return the same where LibreOffice computes every formula once more.
+
+    Args:
+        context: what grading needs.
+        workers: how many processes read files; without any, no other program is let near them.
+
+    Raises:
+        UsageError: there is no LibreOffice, or no worker.
+    """
+    if context.office is None:
+        what = message("LibreOffice is not installed: nothing can be recalculated.")
+        remedy = message("Install it, or leave the option out; a check of the machine says how.")
+        raise UsageError(
+            [Problem("", "", what, remedy, parameter="recalculate", step=NextStep.CHECK_MACHINE)]
+        )
+    if not workers:
+        what = message("Formulas are recalculated by workers, and there is none.")
+        remedy = message("Give one worker or more.")
+        raise UsageError([Problem("", "", what, remedy, parameter="workers")])
+    return replace(context, recalculate=True)

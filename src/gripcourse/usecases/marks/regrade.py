@@ -1,0 +1,234 @@
+"""Regrading as a change that can be reviewed: shown first, applied with a reason, taken back."""
+
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from datetime import datetime
+
+from gripcourse.batch.kept_reports import KeptReports
+from gripcourse.batch.one_file import GradingContext
+from gripcourse.batch.run import Graded, grade_files
+from gripcourse.errors import NextStep, Problem, UsageError
+from gripcourse.gradebook.fingerprint import fingerprints
+from gripcourse.gradebook.journal import (
+    Published,
+    Regrade,
+    Signed,
+    keep_publication,
+    keep_regrade,
+    keep_undoing,
+    published_works,
+)
+from gripcourse.gradebook.model import Attempt, GradebookEntry, attempt_of, latest_marks_of_all
+from gripcourse.gradebook.regrade import Shift, WorkChange, change_of
+from gripcourse.gradebook.store import Gradebook
+from gripcourse.gradebook.works import StudentWork, points_of, works_of
+from gripcourse.machine.content import Readable
+from gripcourse.text.suggestion import did_you_mean
+from gripcourse.text.words import message
+from gripcourse.usecases.marks.gradebook import with_kept_versions
+from gripcourse.usecases.marks.mark import existing_gradebook
+
+
+@dataclass(frozen=True, slots=True)
+class Regrading:
+    """What the files of a batch come to now, beside what stands in the gradebook.
+
+    Attributes:
+        changes: one for each work that the gradebook knows, by student.
+        strangers: files that it does not know, and files that belong to nobody.
+        failed: files that could not be read at all, or failed on our side.
+        missing: works of the gradebook whose file is not in the batch.
+        incidents: what failed on our side, each with its trace.
+    """
+
+    changes: tuple[WorkChange, ...]
+    strangers: tuple[str, ...]
+    failed: tuple[str, ...]
+    missing: tuple[StudentWork, ...]
+    incidents: tuple[str, ...]
+
+    @property
+    def to_apply(self) -> tuple[WorkChange, ...]:
+        """Works that would get other results."""
+        return tuple(one for one in self.changes if one.changes)
+
+    @property
+    def lost(self) -> tuple[WorkChange, ...]:
+        """Works that were judged and cannot be any more; what stands for them is kept."""
+        return tuple(one for one in self.changes if one.is_lost)
+
+    def going(self, direction: Shift) -> tuple[WorkChange, ...]:
+        """Works whose points go one way, without those that cannot be judged any more."""
+        return tuple(one for one in self.changes if one.direction is direction and not one.is_lost)
+
+
+def regrade(  # noqa: PLR0913 (the last ones are what everybody leaves as they are)
+    files: Sequence[Readable],
+    context: GradingContext,
+    place: str,
+    workers: int,
+    now: datetime,
+    on_done: Callable[[Readable], None] = lambda _: None,
+    *,
+    kept: KeptReports | None = None,
+) -> Regrading:
+    """Grade works again by today's course, policy and engine, and change nothing.
+
+    Args:
+        files: the works, as they were handed in.
+        context: the course.
+        place: of the gradebook: a path or a database URL.
+        workers: how many processes; 0 for none but this one.
+        now: when it is done.
+        on_done: called with each file when it is graded.
+        kept: what a regrade by the very same found out of single files; new reports are added.
+
+    Raises:
+        GradebookError: there is no gradebook, or it cannot be used.
+    """
+    book = existing_gradebook(place)
+    context = with_kept_versions(context, place)
+    graded = grade_files(files, context, min(workers, len(files)), on_done, kept=kept)
+    by_student = works_of(book.standing())
+    works = {(one.student, one.digest): one for all_ in by_student.values() for one in all_}
+    versions = fingerprints(context.course.root)
+    fresh = {
+        (one.student, one.digest): one
+        for one in (attempt_of(done.report, now, versions) for done in graded)
+        if one is not None
+    }
+    marked, told = _marked(book, {student for student, _ in works}), published_works(book)
+    return Regrading(
+        changes=tuple(
+            change_of(
+                work,
+                fresh[key],
+                marked.get(work.student, {}),
+                published=key in told,
+            )
+            for key, work in sorted(works.items(), key=lambda pair: _place(pair[1]))
+            if key in fresh
+        ),
+        strangers=tuple(_strangers(graded, works)),
+        failed=tuple(one.report.file for one in graded if not one.report.digest),
+        missing=tuple(work for key, work in works.items() if key not in fresh),
+        incidents=tuple(one.incident for one in graded if one.incident),
+    )
+
+
+def apply_regrade(
+    regrading: Regrading, place: str, signed: Signed, *, allow_lower: bool = False
+) -> tuple[Attempt, ...]:
+    """Let what a regrade came to stand from now on.
+
+    Args:
+        regrading: as it was shown.
+        place: of the gradebook.
+        signed: who applies it, when and why.
+        allow_lower: whether results that students were told may get worse.
+
+    Returns:
+        The attempts that stand now.
+
+    Raises:
+        GradebookError: the gradebook cannot be used; nothing was kept.
+        UsageError: no reason is given, or a published result would get worse.
+    """
+    _demand_reason(signed)
+    lowered = [
+        one for one in regrading.to_apply if one.published and one.direction is Shift.LOWERED
+    ]
+    if lowered and not allow_lower:
+        raise UsageError(
+            Problem(
+                "",
+                "",
+                message(
+                    "{student} was told {before} points and would get {after}.",
+                    student=one.work.student,
+                    before=round(one.before.score, 2),
+                    after=round(one.after.score, 2),
+                ),
+                message("Nothing was changed. Leave this work out, or say that it may get worse."),
+                parameter="allow_lower",
+                step=NextStep.ALLOW_LOWER,
+            )
+            for one in lowered
+        )
+    return keep_regrade(existing_gradebook(place), [one.new for one in regrading.to_apply], signed)
+
+
+def undo_regrade(place: str, signed: Signed) -> Regrade:
+    """Take the last regrade that stands back, by a new entry.
+
+    Raises:
+        GradebookError: the gradebook cannot be used.
+        UsageError: no reason is given, or there is nothing to take back.
+    """
+    _demand_reason(signed)
+    done = keep_undoing(existing_gradebook(place), signed)
+    if not done:
+        what = message("No regrade stands that could be taken back.")
+        remedy = message("Leave it: what was graded counts already.")
+        raise UsageError([Problem("", "", what, remedy)])
+    return done[0]
+
+
+def publish(place: str, students: Iterable[str], signed: Signed) -> tuple[Published, ...]:
+    """Keep that students are told their results: from now on only a regrade changes them.
+
+    Args:
+        place: of the gradebook.
+        students: ids; none for everybody.
+        signed: who publishes, and when.
+
+    Returns:
+        What is told now and was not told before.
+
+    Raises:
+        GradebookError: the gradebook cannot be used.
+        UsageError: with every student of whom nothing has been graded.
+    """
+    book = existing_gradebook(place)
+    works = works_of(book.standing())
+    wanted = tuple(dict.fromkeys(students)) or tuple(sorted(works))
+    unknown = [one for one in wanted if one not in works]
+    if unknown:
+        raise UsageError(
+            Problem(
+                "",
+                "",
+                message("No file of {student} has been graded yet.", student=one),
+                did_you_mean(one, works),
+                parameter="student",
+            )
+            for one in unknown
+        )
+    marked = _marked(book, set(wanted))
+    told = {
+        work: points_of(work.attempt.results, marked.get(student, {}))
+        for student in wanted
+        for work in works[student]
+        if work.attempt.judged
+    }
+    return keep_publication(book, told, signed)
+
+
+def _demand_reason(signed: Signed) -> None:
+    if not signed.why.strip():
+        what = message("A regrade needs a reason.")
+        remedy = message("Say why: whoever asks in a year reads it.")
+        raise UsageError([Problem("", "", what, remedy, parameter="why")])
+
+
+def _marked(book: Gradebook, students: set[str]) -> Mapping[str, Mapping[str, GradebookEntry]]:
+    return latest_marks_of_all(book.entries(students))
+
+
+def _strangers(graded: Sequence[Graded], works: Mapping[tuple[str, str], StudentWork]) -> list[str]:
+    reports = [one.report for one in graded]
+    return [one.file for one in reports if one.digest and (one.student, one.digest) not in works]
+
+
+def _place(work: StudentWork) -> tuple[str, int]:
+    return work.student, work.number

@@ -1,0 +1,249 @@
+"""Taking graded results to a platform, a table or people; nothing is ever sent anywhere.
+
+Whatever is written here has names and marks, or solutions: only its owner may read it.
+"""
+
+import csv
+import io
+import json
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from gripcourse.course.load import load_course
+from gripcourse.course.model import Course
+from gripcourse.errors import NextStep, Problem, UsageError
+from gripcourse.exports.analysis_tables import analysis_tables, history_tables
+from gripcourse.exports.csv_text import text_cell
+from gripcourse.exports.platforms.canvas import FilledGradebook, fill_gradebook
+from gripcourse.exports.platforms.comment import comment_html, comment_lines
+from gripcourse.exports.platforms.gradescope import gradescope_results
+from gripcourse.exports.platforms.moodle_feedback import feedback_zip
+from gripcourse.exports.platforms.moodle_worksheet import (
+    FilledWorksheet,
+    fill_worksheet,
+    read_worksheet,
+)
+from gripcourse.exports.platforms.moodle_xml import moodle_xml
+from gripcourse.exports.platforms.works import GradedWork, works_of
+from gripcourse.exports.report_result import GradesResult, ReportResult
+from gripcourse.exports.results_tables import csv_tables, results_tables, workbook
+from gripcourse.gradebook.journal import regrades
+from gripcourse.gradebook.store import open_gradebook
+from gripcourse.issuing.store import read_register
+from gripcourse.machine.database.home import exists
+from gripcourse.machine.files import write_bytes, write_text
+from gripcourse.policy.load import load_policy
+from gripcourse.text.words import Message, Words, message
+from gripcourse.usecases.grading.grade import REPORTS
+from gripcourse.variants.model import Student
+from gripcourse.variants.table import read_table
+
+_REPORT = "report.pdf"
+_TEXT = "message.txt"
+_LIST = "outbox.csv"
+
+
+@dataclass(frozen=True, slots=True)
+class Results:
+    """What was graded, opened to be taken elsewhere.
+
+    Attributes:
+        course: whose results.
+        students: of the register, by id.
+        grades: of the batch.
+        reports: folder of the students' reports.
+        works: that count.
+        notes: students of whom no work counts, each with the reason.
+    """
+
+    course: Course
+    students: dict[str, Student]
+    grades: GradesResult
+    reports: Path
+    works: tuple[GradedWork, ...]
+    notes: tuple[Message, ...]
+
+    def report_of(self, work: GradedWork) -> Path:
+        """Tell where the report of a work lies."""
+        return self.reports / f"{work.report.student}.pdf"
+
+
+def open_results(root: Path, grades: Path) -> Results:
+    """Read `grades.json` and the register of its course.
+
+    Raises:
+        UsageError: the file is none that grading wrote.
+        GripcourseError: the course or its register cannot be used.
+        OSError: the file cannot be read.
+    """
+    try:
+        plain = json.loads(grades.read_text(encoding="utf-8"))
+    except ValueError as fault:
+        what = message("This is not what grading wrote: {reason}.", reason=str(fault))
+        remedy = message("Name the grades.json of a grading.")
+        raise UsageError([Problem(str(grades), "", what, remedy, step=NextStep.GRADE)]) from fault
+    read = GradesResult.from_dict(plain)
+    course = load_course(root)
+    register = read_register(course.root, course.id).by_student()
+    students = {id_: entry.student for id_, entry in register.items()}
+    works, notes = works_of(read, students)
+    return Results(course, students, read, grades.parent / REPORTS, works, notes)
+
+
+def moodle_files(
+    results: Results, worksheet: Path, out: Path, feedback: Path | None
+) -> tuple[FilledWorksheet, tuple[Message, ...]]:
+    """Write the worksheet with its grades and, where wanted, the zip of reports.
+
+    Returns:
+        What was filled in, and notes on the works whose report is not in the zip.
+
+    Raises:
+        UsageError: the worksheet cannot be used; nothing was written.
+    """
+    course, words = results.course, Words(results.course.language)
+    filled = fill_worksheet(
+        read_worksheet(worksheet), results.works, lambda work: comment_html(work, course, words)
+    )
+    notes: tuple[Message, ...] = ()
+    if feedback is not None:
+        packed, notes = feedback_zip(filled, results.report_of, words)
+        write_bytes(feedback, packed, private=True)
+    write_bytes(out, filled.content, private=True)
+    return filled, notes
+
+
+def canvas_file(results: Results, gradebook: Path, assignment: str, out: Path) -> FilledGradebook:
+    """Write the table that Canvas imports; see `exports.platforms.canvas`."""
+    filled = fill_gradebook(gradebook, results.works, assignment)
+    write_bytes(out, filled.content, private=True)
+    return filled
+
+
+def gradescope_file(results: Results, student: str, out: Path, *, published: bool) -> None:
+    """Write the `results.json` of one submission.
+
+    Args:
+        results: of a grading.
+        student: whose; empty where there is only one report.
+        out: file to write.
+        published: whether students see it at once.
+
+    Raises:
+        UsageError: it is not clear whose.
+    """
+    report = _only_report(results, student)
+    words = Words(results.course.language)
+    plain = gradescope_results(report, results.course, words, published=published)
+    text = json.dumps(plain, ensure_ascii=False, indent=1, allow_nan=False)
+    write_text(out, text, private=True)
+
+
+def table_files(results: Results, out: Path, gradebook: str) -> tuple[Path, ...]:
+    """Write the tables by student, section and quantity, and those of the analysis.
+
+    Args:
+        results: of a grading.
+        out: a `.xlsx` file with a sheet for each, else a folder with a CSV file for each.
+        gradebook: path or database URL; where there is none yet, its tables are left out.
+
+    Raises:
+        GradebookError: the gradebook is there and cannot be used.
+        OSError: nothing can be written there.
+    """
+    tables = results_tables(results.grades, results.students) | analysis_tables(results.grades)
+    if exists(gradebook):
+        book = open_gradebook(gradebook)
+        tables |= history_tables(book.attempts(), regrades(book))
+    if out.suffix.lower() == ".xlsx":
+        write_bytes(out, workbook(tables), private=True)
+        return (out,)
+    written = csv_tables(tables)
+    for name, data in written.items():
+        write_bytes(out / name, data, private=True)
+    return tuple(out / name for name in written)
+
+
+def outbox_folders(results: Results, out: Path) -> tuple[Path, ...]:
+    """Write a folder for each student: a text to send, the report, and a list of addresses.
+
+    Returns:
+        The folders. Nothing is sent.
+    """
+    stream = io.StringIO(newline="")
+    table = csv.writer(stream)
+    table.writerow(("student", "name", "email", "folder"))
+    folders = []
+    for work in results.works:
+        folder = out / work.report.student
+        write_text(folder / _TEXT, _letter(results, work), private=True)
+        report = results.report_of(work)
+        if report.is_file():
+            write_bytes(folder / _REPORT, report.read_bytes(), private=True)
+        told = (work.report.student, work.report.name, work.email, folder.name)
+        table.writerow([text_cell(one) for one in told])
+        folders.append(folder)
+    write_bytes(out / _LIST, stream.getvalue().encode("utf-8-sig"), private=True)
+    return tuple(folders)
+
+
+def _letter(results: Results, work: GradedWork) -> str:
+    """Return the text for a student, in the student's language."""
+    known = results.students.get(work.report.student)
+    language = known.language if known is not None else ""
+    words = Words(language or results.course.language)
+    course = results.course.title.of(words.language)
+    lines = (
+        words.say(message("To: {address}", address=work.email or "—")),
+        words.say(message("Subject: {course}: your result", course=course)),
+        "",
+        words.say(message("Dear {name},", name=work.report.name)),
+        "",
+        words.say(message("your work was graded (variant {id}):", id=work.report.variant)),
+        *comment_lines(work, results.course, words),
+        "",
+        words.say(message("The attached report says what was found, and why.")),
+    )
+    return "\n".join(lines) + "\n"
+
+
+def _only_report(results: Results, student: str) -> ReportResult:
+    found = [one for one in results.grades.reports if student in {"", one.student}]
+    # Of several works of one student the policy may say which counts.
+    of_one = len({one.student for one in found}) == 1
+    counting = [one for one in found if of_one and one.judged and one.counts is not False]
+    for chosen in (found, counting):
+        if len(chosen) == 1:
+            return chosen[0]
+    what = message("There are {count} reports to choose from, not one.", count=len(found))
+    remedy = message("Name the student, or grade one submission alone.")
+    raise UsageError([Problem("", "", what, remedy)])
+
+
+def moodle_questions(
+    course: Course, table: Path, chosen: Sequence[str], out: Path, words: Words
+) -> int:
+    """Write variants of a table as Moodle's questions; the answers are in the file.
+
+    Args:
+        course: whose variants.
+        table: of variants.
+        chosen: their ids; empty for all.
+        out: file to write.
+        words: the language of the questions.
+
+    Returns:
+        How many there are.
+
+    Raises:
+        GripcourseError: the table cannot be used, or has no such variant.
+    """
+    variants = read_table(table, course)
+    unknown = set(chosen) - {one.id for one in variants}
+    if unknown:
+        what = message("The table has no variant '{variant}'.", variant=min(unknown))
+        raise UsageError([Problem(str(table), "", what, message("Name those that it has."))])
+    wanted = [one for one in variants if not chosen or one.id in chosen]
+    write_bytes(out, moodle_xml(wanted, course, load_policy(course), words), private=True)
+    return len(wanted)

@@ -1,0 +1,207 @@
+"""Published results go to the gradebook of the platform: each once, and again where it changed."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from datetime import datetime
+from enum import StrEnum
+
+import httpx2
+
+from gripcourse.access.lti.launch import LINE_ITEM_SCOPE, SCORE_SCOPE
+from gripcourse.access.lti.model import Bond, PlatformPlace, SentScore
+from gripcourse.access.lti.platforms import Platform
+from gripcourse.access.lti.refused import PlatformFailedError
+from gripcourse.access.lti.services import Access, Score, line_item_of, open_access, send_score
+from gripcourse.access.lti.store import LtiStore
+from gripcourse.access.lti.tool_key import read_tool_keys
+from gripcourse.course.model import Course
+from gripcourse.errors import Problem, UsageError
+from gripcourse.exports.report_result import ReportResult
+from gripcourse.text.words import Message, Words, message
+from gripcourse.usecases.publishing.publish import current, published_to
+from gripcourse.usecases.serving.desk import DeskContext
+from gripcourse.usecases.serving.lti import store_of
+from gripcourse.variants.model import Issued
+
+_DECIMALS = 4  # more of them are noise of the last bits, and would count as a change
+
+
+class ScoreFate(StrEnum):
+    """What became of a student's result."""
+
+    SENT = "sent"
+    UNCHANGED = "unchanged"  # the platform has it
+    NO_RESULT = "no_result"  # nothing is published, or the file could not be judged
+    NOT_SEEN = "not_seen"  # nobody came by the platform who is this student
+    FAILED = "failed"
+
+
+@dataclass(frozen=True, slots=True)
+class Sending:
+    """What became of a student's result, and why where it failed."""
+
+    student: str
+    fate: ScoreFate
+    why: Message | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class ScoreOrder:
+    """What an instructor wants to be sent.
+
+    Attributes:
+        platform: to which.
+        line_item: address of the column; empty where there is only one.
+        by: who does it.
+    """
+
+    platform: Platform
+    line_item: str
+    by: str
+
+
+def send_grades(
+    context: DeskContext, client: httpx2.Client, wanted: ScoreOrder, now: datetime
+) -> Iterator[Sending]:
+    """Send what is published and is not there yet, student by student.
+
+    Raises:
+        UsageError: nothing is published, nobody opened the assignment there, or several columns
+            are known.
+        PlatformFailedError: the platform gives no access at all.
+    """
+    if current(context) is None:
+        what, remedy = message("Nothing is published."), message("Publish the results first.")
+        raise UsageError([Problem("", "", what, remedy)])
+    store, platform = store_of(context), wanted.platform
+    column = _column(store, wanted)
+    scopes = [SCORE_SCOPE] if column.line_item else [SCORE_SCOPE, LINE_ITEM_SCOPE]
+    access = open_access(client, platform, read_tool_keys(context.course.root), scopes, now)
+    address = column.line_item or _made(access, column, context)
+    bonds = _bonds(store, platform)
+    # The same column and the same user: what was sent last is what stands there.
+    last = {(one.line_item, one.user): one for one in store.sent()}
+    for student, issued in context.register().items():
+        published = published_to(context, student)
+        score = None if published is None else score_of(published.report, issued, context.course)
+        if score is None:
+            yield Sending(student, ScoreFate.NO_RESULT)
+            continue
+        match bonds.get(student, []):
+            case []:
+                yield Sending(student, ScoreFate.NOT_SEEN)
+            case [bond] if _is_there(last.get((address, bond.user)), score):
+                yield Sending(student, ScoreFate.UNCHANGED)
+            case [bond]:
+                yield _sent(store, access, bond, _Sent(address, score, wanted.by, now))
+            case _:
+                said = message("Several users of the platform are this student.")
+                yield Sending(student, ScoreFate.FAILED, said)
+
+
+def score_of(report: ReportResult, issued: Issued, course: Course) -> Score | None:
+    """Return what a platform is told of a result; None where the file could not be judged.
+
+    The comment holds points alone: whatever explains them stands on the student's own page.
+    """
+    if not report.judged or report.score is None or report.max_score is None:
+        return None
+    words = Words(issued.student.language or course.language)
+    maximum = report.max_score + report.open_points
+    said = message(
+        "Points: {points} of {maximum}. The report stands on your page.",
+        points=round(report.score, _DECIMALS),
+        maximum=round(maximum, _DECIMALS),
+    )
+    if report.open_points:
+        said = message(
+            "Points: {points}; {open} of {maximum} wait for a person.",
+            points=round(report.score, _DECIMALS),
+            open=round(report.open_points, _DECIMALS),
+            maximum=round(maximum, _DECIMALS),
+        )
+    return Score(
+        points=round(report.score, _DECIMALS),
+        maximum=round(maximum, _DECIMALS),
+        comment=words.say(said),
+        final=not report.open_points,
+    )
+
+
+@dataclass(frozen=True, slots=True)
+class _Sent:
+    line_item: str
+    score: Score
+    by: str
+    now: datetime
+
+
+def _sent(store: LtiStore, access: Access, bond: Bond, one: _Sent) -> Sending:
+    score = one.score
+    try:
+        send_score(access, one.line_item, bond.user, score, one.now)
+    except PlatformFailedError as fault:
+        return Sending(bond.student, ScoreFate.FAILED, fault.said)
+    kept = SentScore(
+        issuer=bond.issuer,
+        client=bond.client,
+        user=bond.user,
+        student=bond.student,
+        line_item=one.line_item,
+        points=score.points,
+        maximum=score.maximum,
+        comment=score.comment,
+        final=score.final,
+        by=one.by,
+        at=one.now,
+    )
+    store.add_sent(kept)
+    return Sending(bond.student, ScoreFate.SENT)
+
+
+def _bonds(store: LtiStore, platform: Platform) -> dict[str, list[Bond]]:
+    """Return who of a platform each student is."""
+    found: dict[str, list[Bond]] = {}
+    for one in store.bonds().values():
+        if (one.issuer, one.client) == (platform.issuer, platform.client_id):
+            found.setdefault(one.student, []).append(one)
+    return found
+
+
+def _is_there(last: SentScore | None, score: Score) -> bool:
+    return last is not None and score == Score(last.points, last.maximum, last.comment, last.final)
+
+
+def _column(store: LtiStore, wanted: ScoreOrder) -> PlatformPlace:
+    """Return the place whose column takes the results; its line item is empty where none is made.
+
+    Only places in courses of the platform that are declared now count: who has another course there
+    must not get these results into it.
+    """
+    platform = wanted.platform
+    known = [
+        one
+        for one in store.places()
+        if (one.issuer, one.client) == (platform.issuer, platform.client_id)
+        and one.context in platform.contexts
+        and (one.line_item or one.line_items)
+    ]
+    if wanted.line_item:
+        known = [one for one in known if one.line_item == wanted.line_item]
+    if not known:
+        what = message("No place in the platform is known that takes grades.")
+        remedy = message("Let grades be accepted there, and open the assignment there once.")
+        raise UsageError([Problem("", "", what, remedy)])
+    columns = {one.line_item or one.line_items for one in known}
+    if len(columns) > 1:
+        what = message("The assignment stands in several places of the platform.")
+        remedy = message("Name one column: {all}.", all=", ".join(sorted(columns)))
+        raise UsageError([Problem("", "", what, remedy, parameter="line_item")])
+    return known[-1]
+
+
+def _made(access: Access, place: PlatformPlace, context: DeskContext) -> str:
+    """Return our column in a course whose columns we may make."""
+    course = context.course
+    label = course.title.of(course.language)
+    return line_item_of(access, place.line_items, course.id, label, context.policy.total)

@@ -1,0 +1,67 @@
+"""The desk of a course, opened: what links, hand-ins and publications need."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from gripcourse.access.desk.store import Desk, open_desk
+from gripcourse.course.load import load_course
+from gripcourse.course.model import Course
+from gripcourse.issuing.signature import key_path, read_key
+from gripcourse.issuing.store import VerifiedRegister
+from gripcourse.machine.database.home import home_of
+from gripcourse.policy.load import load_policy
+from gripcourse.policy.model import Policy
+from gripcourse.usecases.serving.deadlines import DeskDeadlines
+from gripcourse.variants.model import Issued
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class DeskContext:
+    """A course that issued something, with its desk.
+
+    Attributes:
+        course, policy: loaded.
+        key: of the signatures; it is never shown, logged or sent anywhere.
+        desk: its part of the database.
+        issued: what was issued, verified whenever it changed.
+        deadlines: of the students, as grading counts them.
+    """
+
+    course: Course
+    policy: Policy
+    key: bytes
+    desk: Desk
+    issued: VerifiedRegister = field(init=False)
+    deadlines: DeskDeadlines = field(init=False)
+
+    def __post_init__(self) -> None:
+        """Prepare to read register and deadlines, which are read when they are asked for."""
+        issued = VerifiedRegister(self.course.root, self.course.id, self.desk.engine)
+        object.__setattr__(self, "issued", issued)
+        deadlines = DeskDeadlines(self.course.root, self.policy.late)
+        object.__setattr__(self, "deadlines", deadlines)
+
+    def __repr__(self) -> str:
+        """Leave the key out: this may stand in a log."""
+        return f"DeskContext({self.course.id})"
+
+    def register(self) -> Mapping[str, Issued]:
+        """Return what was issued up to now, by student."""
+        return self.issued.read().by_student()
+
+    @property
+    def private(self) -> Path:
+        """The folder that nobody but the owner reads."""
+        return self.course.root / "private"
+
+
+def open_context(root: Path) -> DeskContext:
+    """Open the desk of a course.
+
+    Raises:
+        GripcourseError: course, policy, key or database cannot be used.
+    """
+    course = load_course(root)
+    key = read_key(key_path(root))
+    return DeskContext(course, load_policy(course), key, open_desk(home_of(root), course.id))

@@ -1,0 +1,168 @@
+"""Handing in: bytes are safe on the disk and in the database before there is a receipt."""
+
+import hashlib
+import hmac
+import os
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from datetime import datetime
+from pathlib import Path, PurePath
+from typing import Final
+
+from gripcourse.access.desk.model import Allowance, HandIn
+from gripcourse.errors import Problem, UsageError
+from gripcourse.machine.content import NamedBytes
+from gripcourse.machine.files import make_private_folder, write_bytes
+from gripcourse.text.shown import shown
+from gripcourse.text.words import Message, message
+from gripcourse.usecases.serving.desk import DeskContext
+from gripcourse.variants.model import Issued
+
+_MOST: Final = 200_000_000
+"""Bytes that one student may keep here: a term of large workbooks many times over."""
+_NAMELESS: Final = "file"
+_LONGEST_NAME: Final = 120
+_LONGEST_SUFFIX: Final = 10
+_PURPOSE: Final = b"gripcourse receipt 1\n"
+
+
+@dataclass(frozen=True, slots=True)
+class Receipt:
+    """What a student gets for a file.
+
+    Attributes:
+        hand_in: number, hash, size, name and time.
+        late: whether the deadline was over; hours of grace do not change that.
+        code: HMAC over all of it with the course's key; who has the key can verify it.
+    """
+
+    hand_in: HandIn
+    late: bool
+    code: str
+
+
+def hand_in(
+    context: DeskContext,
+    issued: Issued,
+    file: NamedBytes,
+    now: datetime,
+    allowed: Allowance | None = None,
+) -> Receipt:
+    """Keep a file that a student hands in, whatever is in it.
+
+    The same file once more right after is the same hand-in: two clicks make one.
+
+    Args:
+        context: of the course.
+        issued: to whom it was issued.
+        file: as it was sent.
+        now: with its zone.
+        allowed: how often it may be done; None for any number.
+
+    Raises:
+        TooOftenError: it was done as often as is allowed; nothing was recorded.
+        UsageError: the file is empty, or the student has handed in too much.
+        OSError: the disk is full, or cannot be written; nothing was recorded.
+        GradebookError: the database failed; nothing was recorded.
+    """
+    student = issued.student.id
+    if not file.data:
+        raise _refusal(
+            message("The file is empty."), message("Choose your workbook once more, saved.")
+        )
+    used = sum(one.size for one in context.desk.hand_ins(student))
+    if used + len(file.data) > _MOST:
+        raise _refusal(
+            message("There is no more room for your files."), message("Ask your instructor.")
+        )
+    digest = hashlib.sha256(file.data).hexdigest()
+    path = kept_path(context, digest)
+    if not path.is_file():
+        make_private_folder(path.parent)
+        write_bytes(path, file.data, private=True)
+        _make_durable(path.parent)
+    name = _kept_name(file.name)
+    kept = context.desk.add_hand_in(student, digest, len(file.data), name, now, allowed)
+    return receipt_of(context, issued, kept)
+
+
+def receipt_of(context: DeskContext, issued: Issued, kept: HandIn) -> Receipt:
+    """Return the receipt of a file, the same whenever it is asked for."""
+    signed = "\n".join(
+        (
+            *(context.course.id, kept.student, str(kept.number), kept.digest, str(kept.size)),
+            kept.at.isoformat(),
+        )
+    )
+    made = hmac.new(context.key, _PURPOSE + signed.encode(), hashlib.sha256)
+    return Receipt(kept, is_late(context, issued, kept.at), made.hexdigest()[:32])
+
+
+def is_late(context: DeskContext, issued: Issued, at: datetime) -> bool:
+    """Tell whether a student's deadline was over at a time; its last second counts to its end."""
+    deadline = context.deadlines.of(issued)
+    return deadline is not None and at.replace(microsecond=0) > deadline
+
+
+def kept_path(context: DeskContext, digest: str) -> Path:
+    """Return where bytes are kept: under what they are, never under what somebody calls them."""
+    return context.private / "handed_in" / digest
+
+
+def latest(hand_ins: Iterable[HandIn]) -> dict[str, HandIn]:
+    """Return the last workbook of each student; drawings are looked at by persons."""
+    return {one.student: one for one in hand_ins if not one.is_drawing}
+
+
+def name_in_folder(one: HandIn) -> str:
+    """Return what the last workbook of a student is called for grading: like its student."""
+    suffix = PurePath(one.name).suffix.lower()
+    return f"{one.student}{suffix if suffix.isascii() else ''}"
+
+
+def collect_hand_ins(context: DeskContext, out: Path) -> Mapping[str, Path]:
+    """Write the last workbook of each student into a folder, called like the student, for grading.
+
+    Returns:
+        The file of each student.
+
+    Raises:
+        OSError: a file cannot be read or written.
+    """
+    make_private_folder(out)
+    written: dict[str, Path] = {}
+    for student, one in latest(context.desk.hand_ins()).items():
+        path = out / name_in_folder(one)
+        write_bytes(path, kept_path(context, one.digest).read_bytes(), private=True)
+        # Lateness is counted from when it was handed in, not from when it was collected.
+        os.utime(path, (one.at.timestamp(),) * 2)
+        written[student] = path
+    return written
+
+
+def _kept_name(name: str) -> str:
+    """Return what a file is called: its last part, shortened where it is long.
+
+    The suffix stays: without it a drawing would pass for the workbook, and count as the last one.
+    """
+    last = shown(PurePath(name.replace("\\", "/")).name)
+    suffix = PurePath(last).suffix
+    if len(suffix) > _LONGEST_SUFFIX:
+        suffix = ""
+    short = last.removesuffix(suffix)[: _LONGEST_NAME - len(suffix)] + suffix
+    return short if short.strip(". ") else _NAMELESS
+
+
+def _make_durable(folder: Path) -> None:
+    """Let the name of a new file survive a loss of power too."""
+    if os.name != "posix":
+        return
+    handle = os.open(folder, os.O_RDONLY)
+    try:
+        os.fsync(handle)
+    finally:
+        os.close(handle)
+
+
+def _refusal(what: Message, remedy: Message) -> UsageError:
+    return UsageError([Problem("", "", what, remedy)])

@@ -1,0 +1,1 @@
+"""What needs no student: variants made, audited, solved and drawn."""

@@ -1,0 +1,1 @@
+"""A whole term, kept and brought back."""

@@ -1,0 +1,207 @@
+"""When works were handed in, what that costs, and which of them counts: from files to reports."""
+
+import os
+from collections.abc import Sequence
+from dataclasses import replace
+from datetime import UTC, datetime
+from pathlib import Path
+from typing import TYPE_CHECKING
+from zoneinfo import ZoneInfo
+
+import pytest
+
+from gripcourse.batch.duplicates import mark_doubles
+from gripcourse.batch.one_file import grade_file
+from gripcourse.batch.run import Graded
+from gripcourse.cli.demo.students import correct
+from gripcourse.cli.times_text import without_times
+from gripcourse.documents.report.standing import timing_texts
+from gripcourse.errors import UsageError
+from gripcourse.exports.grades import grades_text
+from gripcourse.exports.platforms.moodle_words import HEADINGS, MoodleColumn
+from gripcourse.exports.report_result import report_result
+from gripcourse.gradebook.timing import Waiver
+from gripcourse.grading.model import Flag, FlagCode, Report, Timing
+from gripcourse.policy.time_rules import AttemptRule, Counts, LateRule
+from gripcourse.text.words import Words, message
+from gripcourse.usecases.marks.gradebook import keep
+from gripcourse.usecases.marks.handed_in import HandingTime, handed_in_times
+from gripcourse.usecases.marks.history import history
+from gripcourse.usecases.marks.waive import waive
+from support.classroom import forget_one_jaw
+
+if TYPE_CHECKING:
+    from support.classroom import Classroom
+
+NOW = datetime(2026, 12, 9, 9, tzinfo=UTC)
+KYIV = ZoneInfo("Europe/Kyiv")
+
+
+class Office:
+    """Two works of one student, graded as often as a test wants; the deadline is 1 December."""
+
+    def __init__(self, classroom: "Classroom", files: Sequence[Path], folder: Path) -> None:
+        rules = {
+            "late": LateRule(0.1, 0.5, 0, "Europe/Kyiv"),
+            "attempts": AttemptRule(Counts.LAST, 0),
+        }
+        context = classroom.context
+        self.context = replace(context, policy=replace(context.policy, **rules))  # type: ignore[arg-type]
+        self.files, self.place = files, str(folder / "gradebook.sqlite")
+
+    def grade(self, *said: str) -> list[Report]:
+        reports = mark_doubles([grade_file(one, self.context) for one in self.files])
+        graded = [Graded(one, "") for one in reports]
+        times = handed_in_times(said, self.files, KYIV)
+        return [one.report for one in keep(graded, self.context, self.place, NOW, times)]
+
+    def timings(self, *said: str) -> list[Timing]:
+        return [one.timing for one in self.grade(*said) if one.timing is not None]
+
+    def waive(self, why: str = "болезнь", student: str = "s01", *, withdrawn: bool = False) -> None:
+        waiver = Waiver(student, 0, None, withdrawn, "Петров", NOW, why)
+        waive(waiver, self.place, self.context.register)
+
+
+@pytest.fixture(scope="module")
+def files(issued: "Classroom", tmp_path_factory: pytest.TempPathFactory) -> list[Path]:
+    folder = tmp_path_factory.mktemp("inbox")
+    made = [
+        issued.hand_in("s01", correct, folder / "first" / "s01.xlsx"),
+        issued.hand_in("s01", forget_one_jaw, folder / "second" / "s01.xlsx"),
+    ]
+    for day, one in zip((1, 3), made, strict=True):
+        moment = datetime(2026, 12, day, 12, tzinfo=UTC).timestamp()
+        os.utime(one, (moment, moment))
+    return made
+
+
+@pytest.fixture
+def office(issued: "Classroom", files: list[Path], tmp_path: Path) -> Office:
+    return Office(issued, files, tmp_path)
+
+
+def test_the_files_own_time_counts_and_the_last_work_does(office: Office) -> None:
+    first, second = office.timings()
+    assert (first.days_late, first.counts, first.number, first.of) == (0, False, 1, 2)
+    assert (second.days_late, second.counts, second.deduction) == (2, True, pytest.approx(0.2))
+
+
+def test_what_a_person_says_goes_before_it_and_stays_said(office: Office) -> None:
+    office.grade()
+    office.grade("second/s01.xlsx=2026-11-30 10:00")
+    told, _ = [one.timing for one in office.grade()], office.files
+    assert [one.days_late for one in told if one] == [0, 0]
+    assert [one.counts for one in told if one] == [True, False]
+
+
+def test_a_waiver_counts_from_the_next_grading_and_can_be_withdrawn(office: Office) -> None:
+    assert office.timings()[1].deduction > 0
+    office.waive()
+    assert office.timings()[1].deduction == 0
+    office.waive("ошибка", withdrawn=True)
+    assert office.timings()[1].deduction > 0
+    waived = [one for one in history(office.place, "s01") if one.person]
+    assert [one.why for one in waived] == ["болезнь", "ошибка"]
+
+
+def test_the_report_and_the_table_say_what_lateness_costs(office: Office) -> None:
+    reports = office.grade()
+    said = " ".join(timing_texts(reports[1], Words("en")))
+    assert "Attempt 2 of 2: this one counts." in said
+    assert "2026-12-03 14:00, the deadline was 2026-12-01 23:59; days late: 2" in said
+    assert reports[1].earned == pytest.approx(0.8 * reports[1].score)
+    header, *rows = grades_text(reports).splitlines()
+    columns = header.split(",")
+    cells = dict(zip(columns, rows[1].split(","), strict=False))
+    assert float(cells["earned"]) == pytest.approx(reports[1].earned, abs=1e-3)
+    assert [cells[name] for name in ("attempt", "counts", "handed_in", "days_late")] == [
+        "2/2",
+        "1",
+        "2026-12-03T12:00Z",
+        "2",
+    ]
+
+
+def test_where_the_rule_says_which_work_counts_nobody_is_asked(office: Office) -> None:
+    several = Flag(FlagCode.SEVERAL_FILES, message("More files."))
+    graded = [Graded(replace(grade_file(one, office.context), flags=(several,)), "")
+              for one in office.files]  # fmt: skip
+    known = handed_in_times((), office.files, KYIV)
+    kept = keep(graded, office.context, office.place, NOW, known)
+    assert [one.report.flags for one in kept] == [(), ()]
+
+
+def test_works_without_a_time_are_named_and_have_no_days_late(office: Office) -> None:
+    graded = [Graded(grade_file(one, office.context), "") for one in office.files]
+    reports = [one.report for one in keep(graded, office.context, office.place, NOW)]
+    (said,) = without_times(reports, Words("en"))
+    assert said.startswith("Nobody knows when these were handed in, so none of them is late (2)")
+    header, row, _ = grades_text(reports).splitlines()
+    assert dict(zip(header.split(","), row.split(","), strict=False))["days_late"] == ""
+    assert list(without_times(office.grade("2026-12-01 10:00"), Words("en"))) == []
+
+
+@pytest.mark.parametrize(("language", "written"), [
+    ("en", "Wednesday, 2 December 2026, 3:05 PM"),
+    ("ru", "среда, 2 декабря 2026, 15:05"),
+    ("uk", "середа 2 грудня 2026 15:05"),
+])  # fmt: skip
+def test_a_grading_worksheet_says_when_its_participants_handed_in(
+    language: str, written: str, tmp_path: Path
+) -> None:
+    words = HEADINGS[language]
+    columns = [MoodleColumn.IDENTIFIER, MoodleColumn.GRADE, MoodleColumn.HANDED_IN_AT,
+               MoodleColumn.GRADED_AT]  # fmt: skip
+    sheet = tmp_path / "Grades.csv"
+    rows = [
+        "\t".join(words[one] for one in columns),
+        f"Участник3\t\t{written}\t-",
+        "Участник5\t\t-\t-",
+    ]
+    sheet.write_text("\n".join(rows), encoding="utf-8")
+    zipped = [Path(f"a.zip/Ким Ли_{number}_assignsubmission_file/x.xlsx") for number in (3, 5)]
+    times = handed_in_times([str(sheet)], zipped, KYIV)
+    assert times == {
+        str(zipped[0]): HandingTime(datetime(2026, 12, 2, 15, 5, tzinfo=KYIV), said=True)
+    }
+    with pytest.raises(UsageError, match="No file of the batch has a number"):
+        handed_in_times([str(sheet)], [Path("3.xlsx")], KYIV)
+
+
+def test_where_a_rule_says_which_of_several_works_counts_nobody_is_asked(office: Office) -> None:
+    reports = office.grade()
+    assert [one.flags for one in reports] == [(), ()]
+    assert [report_result(one, Words("en")).counts for one in reports] == [False, True]
+
+
+def test_without_a_rule_nothing_is_said_of_time(office: Office) -> None:
+    office.context = replace(
+        office.context, policy=replace(office.context.policy, late=None, attempts=None)
+    )
+    assert office.timings() == []
+    reports = office.grade()
+    assert {flag.code for one in reports for flag in one.flags} == {FlagCode.SEVERAL_FILES}
+    assert [report_result(one, Words("en")).counts for one in reports] == [None, None]
+    assert "earned" not in grades_text(office.grade())
+
+
+class TestRefusals:
+    def test_a_moment_that_is_none_and_a_file_that_is_not_there_are_named(
+        self, files: list[Path]
+    ) -> None:
+        with pytest.raises(UsageError) as caught:
+            handed_in_times(["tomorrow", "s09.xlsx=2026-12-01"], files, KYIV)
+        assert [str(one.what) for one in caught.value.problems] == [
+            "'tomorrow' is no day.",
+            "No file of the batch is called 's09.xlsx'.",
+        ]
+
+    def test_a_waiver_needs_a_student_a_reason_and_something_to_withdraw(
+        self, office: Office
+    ) -> None:
+        with pytest.raises(UsageError) as caught:
+            office.waive(" ", "s09")
+        assert [one.parameter for one in caught.value.problems] == ["student", "why"]
+        with pytest.raises(UsageError, match="no waiver that counts"):
+            office.waive(withdrawn=True)

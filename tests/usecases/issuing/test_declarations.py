@@ -1,0 +1,93 @@
+"""Works on a corrected version are judged by the formulas that it was issued with."""
+
+from dataclasses import dataclass, replace
+from datetime import date
+from pathlib import Path
+
+import pytest
+
+from gripcourse.batch.one_file import grade_file
+from gripcourse.cli.demo.students import correct
+from gripcourse.course.load import load_course
+from gripcourse.grading.model import Report
+from gripcourse.issuing.reissue import Correction
+from gripcourse.issuing.store import read_register
+from gripcourse.policy.model import Policy
+from gripcourse.usecases.issuing.reissue import CorrectedOrder, reissue_order
+from gripcourse.usecases.marks.opening import open_grading
+from support.classroom import Classroom, open_classroom
+
+ROSTER = "student,name,language\ns01,Иванова Анна,ru\n"
+GRAVITY = "value = 9.81"
+
+
+@dataclass(frozen=True, slots=True)
+class Mended:
+    """A course whose gravity was corrected after a student had worked with the other one."""
+
+    classroom: Classroom
+    work: Path
+
+    def judged(self, *, either: bool | None = None) -> Report:
+        context = open_grading(self.classroom.course.root)
+        return grade_file(self.work, replace(context, either_version=either))
+
+    @property
+    def kept(self) -> list[Path]:
+        return sorted((self.classroom.course.root / "private" / "declarations").iterdir())
+
+
+@pytest.fixture(scope="module")
+def mended(tmp_path_factory: pytest.TempPathFactory, policy: Policy) -> Mended:
+    folder = tmp_path_factory.mktemp("mended")
+    classroom = open_classroom(folder, policy, ROSTER)
+    file = classroom.course.root / "variants" / "course.toml"
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(
+            "gripcourse.usecases.issuing.handout.assignment_sheet", lambda *_: b"%PDF-1.7\n"
+        )
+        classroom.issue()
+        work = classroom.hand_in("s01", correct, folder / "early.xlsx")
+        text = file.read_text(encoding="utf-8")
+        assert text.count(GRAVITY) == 1
+        file.write_text(text.replace(GRAVITY, "value = 9.2"), encoding="utf-8")
+        wanted = Correction(("s01",), "", "g was wrong", "Петров")
+        order = CorrectedOrder(
+            wanted, classroom.order.table, folder / "corrected", date(2026, 10, 5), None
+        )
+        course = load_course(classroom.course.root)
+        reissue_order(course, policy, order, 0, lambda _: None)
+    return Mended(classroom, work)
+
+
+def test_a_work_is_judged_by_the_declarations_that_its_version_was_issued_with(
+    mended: Mended,
+) -> None:
+    report = mended.judged()
+    course = mended.classroom.course
+    first, _ = read_register(course.root, course.id).versions()["s01"]
+    assert report.score == report.max_score
+    assert report.declarations == first.declarations
+    assert "that this version was issued with" in " ".join(map(str, report.remarks))
+    assert [path.stem for path in mended.kept].count(first.declarations) == 1
+
+
+def test_where_either_version_counts_each_is_judged_by_its_own(mended: Mended) -> None:
+    report = mended.judged(either=True)
+    assert (report.version, report.score) == (1, report.max_score)
+    assert "not counted: 2" in " ".join(map(str, report.remarks))
+
+
+@pytest.mark.parametrize("damage", [b"", b"PK"])
+def test_where_they_were_lost_today_s_are_taken_and_it_is_said(
+    mended: Mended, damage: bytes
+) -> None:
+    before = {path: path.read_bytes() for path in mended.kept}
+    for path in mended.kept:
+        path.write_bytes(damage)
+    report = mended.judged()
+    for path, content in before.items():
+        path.write_bytes(content)
+    assert report.score < report.max_score
+    assert report.declarations == ""
+    assert "judged by today's" in " ".join(map(str, report.remarks))

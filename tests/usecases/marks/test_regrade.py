@@ -1,0 +1,233 @@
+"""A regrade is seen before it counts, has a reason, and can be taken back; nothing is lost."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+from datetime import UTC, datetime, timedelta
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import pytest
+
+from gripcourse.batch.kept_reports import KeptReports
+from gripcourse.batch.one_file import GradingContext, grade_file
+from gripcourse.batch.run import Graded
+from gripcourse.cli.demo.students import correct
+from gripcourse.errors import GradebookError, NextStep, UsageError
+from gripcourse.gradebook.enter import Draft
+from gripcourse.gradebook.journal import Signed
+from gripcourse.gradebook.regrade import Shift
+from gripcourse.grading.model import Report
+from gripcourse.usecases.marks.gradebook import keep
+from gripcourse.usecases.marks.history import history
+from gripcourse.usecases.marks.mark import enter_mark
+from gripcourse.usecases.marks.regrade import (
+    Regrading,
+    apply_regrade,
+    publish,
+    regrade,
+    undo_regrade,
+)
+from support.classroom import forget_one_jaw
+
+if TYPE_CHECKING:
+    from support.classroom import Classroom
+
+NOW = datetime(2026, 12, 2, 9, tzinfo=UTC)
+DRAWING = "general_view_drawing"
+
+
+class Faculty:
+    """Two graded works, and a policy that gives the second of them less."""
+
+    def __init__(self, classroom: "Classroom", files: Sequence[Path], folder: Path) -> None:
+        self.files, self.place = files, str(folder / "gradebook.sqlite")
+        self.today = classroom.context
+        self.stricter = replace(self.today, policy=replace(self.today.policy, carried_credit=0.5))
+        self.hours = 0
+
+    def signed(self, why: str = "так решила кафедра") -> Signed:
+        self.hours += 1
+        return Signed("Петров", NOW + timedelta(hours=self.hours), why)
+
+    def grade(self, context: GradingContext) -> dict[str, Report]:
+        graded = [Graded(grade_file(one, context), "") for one in self.files]
+        return {one.report.student: one.report for one in keep(graded, context, self.place, NOW)}
+
+    def regrade(self, context: GradingContext | None = None) -> Regrading:
+        return regrade(self.files, context or self.stricter, self.place, 0, NOW)
+
+    def mark(self, student: str = "s02") -> None:
+        draft = Draft(student, DRAWING, {"sizes": 1.0, "assembly": 0.5, "standards": 0.0})
+        enter_mark(draft, self.today, self.place, "Петров", self.signed().done_at)
+
+
+@pytest.fixture(scope="module")
+def files(issued: "Classroom", tmp_path_factory: pytest.TempPathFactory) -> list[Path]:
+    """A right workbook and one with an early slip."""
+    folder = tmp_path_factory.mktemp("inbox")
+    return [
+        issued.hand_in("s01", correct, folder / "s01.xlsx"),
+        issued.hand_in("s02", forget_one_jaw, folder / "s02.xlsx"),
+    ]
+
+
+@pytest.fixture
+def faculty(issued: "Classroom", files: list[Path], tmp_path: Path) -> Faculty:
+    faculty = Faculty(issued, files, tmp_path)
+    faculty.grade(faculty.today)
+    return faculty
+
+
+def test_it_shows_old_and_new_for_everybody_with_the_reasons_and_writes_nothing(
+    faculty: Faculty,
+) -> None:
+    before = Path(faculty.place).read_bytes()
+    found = faculty.regrade()
+    assert Path(faculty.place).read_bytes() == before
+    assert {one: len(found.going(one)) for one in Shift} == {
+        Shift.RAISED: 0,
+        Shift.LOWERED: 1,
+        Shift.UNCHANGED: 1,
+    }
+    (change,) = found.to_apply
+    assert change.work.student == "s02"
+    assert change.after.score < change.before.score
+    lost = sum(
+        one.before.points - one.after.points for one in change.items if one.before and one.after
+    )
+    assert change.before.score - change.after.score == pytest.approx(lost)
+    assert (found.strangers, found.missing, found.lost) == ((), (), ())
+
+
+def test_what_was_judged_to_look_is_taken_over_to_apply(
+    faculty: Faculty, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    kept = KeptReports(tmp_path / "kept", {})
+    looked = regrade(faculty.files, faculty.stricter, faculty.place, 0, NOW, kept=kept)
+    monkeypatch.setattr("gripcourse.batch.run._alone", lambda files, *_: [None] * len(files))
+    again = regrade(faculty.files, faculty.stricter, faculty.place, 0, NOW, kept=kept)
+    assert again == looked
+    assert len(apply_regrade(again, faculty.place, faculty.signed())) == 1
+
+
+def test_applied_it_counts_and_taken_back_it_never_did(faculty: Faculty) -> None:
+    first = faculty.regrade()
+    assert len(apply_regrade(first, faculty.place, faculty.signed())) == 1
+    assert faculty.regrade().to_apply == ()
+    assert len(faculty.regrade(faculty.today).going(Shift.RAISED)) == 1
+    assert undo_regrade(faculty.place, faculty.signed("поспешили")).undoes == 1
+    assert faculty.regrade(faculty.today).to_apply == ()
+    assert faculty.regrade().to_apply == first.to_apply
+
+
+def test_marks_of_persons_survive_and_only_what_they_rest_on_outdates_them(
+    faculty: Faculty,
+) -> None:
+    faculty.mark()
+    found = faculty.regrade()
+    (change,) = found.to_apply
+    assert DRAWING not in {one.quantity for one in change.items}
+    apply_regrade(found, faculty.place, faculty.signed())
+    report = faculty.grade(faculty.stricter)["s02"]
+    assert report.flags == ()
+    assert report.score == pytest.approx(change.after.score)
+    assert report.open_points == pytest.approx(change.after.open_points)
+
+
+class TestPublished:
+    def test_grading_again_does_not_change_what_was_told(self, faculty: Faculty) -> None:
+        told = faculty.grade(faculty.today)["s02"]
+        assert len(publish(faculty.place, ["s02"], faculty.signed())) == 1
+        now = faculty.grade(faculty.stricter)["s02"]
+        assert now.score == pytest.approx(told.score)
+        assert [one.code for one in now.flags] == ["regrade_waits"]
+        assert len(faculty.regrade().to_apply) == 1
+
+    def test_it_gets_worse_only_where_somebody_says_so(self, faculty: Faculty) -> None:
+        publish(faculty.place, (), faculty.signed())
+        found = faculty.regrade()
+        with pytest.raises(UsageError) as caught:
+            apply_regrade(found, faculty.place, faculty.signed())
+        (problem,) = caught.value.problems
+        assert "s02" in str(problem.what)
+        assert problem.step is NextStep.ALLOW_LOWER
+        assert faculty.regrade().to_apply == found.to_apply
+        apply_regrade(found, faculty.place, faculty.signed(), allow_lower=True)
+        assert faculty.grade(faculty.stricter)["s02"].flags == ()
+
+    def test_it_gets_better_without_more_ado(self, faculty: Faculty) -> None:
+        apply_regrade(faculty.regrade(), faculty.place, faculty.signed())
+        publish(faculty.place, (), faculty.signed())
+        assert (
+            len(apply_regrade(faculty.regrade(faculty.today), faculty.place, faculty.signed())) == 1
+        )
+
+
+def test_files_that_were_not_graded_and_works_whose_file_is_missing_are_named(
+    faculty: Faculty, issued: "Classroom", tmp_path: Path
+) -> None:
+    new = issued.hand_in("s03", correct, tmp_path / "s03.xlsx")
+    found = regrade([faculty.files[0], new], faculty.today, faculty.place, 0, NOW)
+    assert [Path(one).name for one in found.strangers] == ["s03.xlsx"]
+    assert [one.student for one in found.missing] == ["s02"]
+
+
+def test_what_fails_on_our_side_changes_nothing_and_is_named(faculty: Faculty) -> None:
+    entry = faculty.today.register["s02"]
+    gone = replace(entry, variant=replace(entry.variant, scheme="four_bar"))
+    found = faculty.regrade(
+        replace(faculty.today, register={**faculty.today.register, "s02": gone})
+    )
+    assert [Path(one).name for one in found.failed] == ["s02.xlsx"]
+    assert len(found.incidents) == 1
+    assert found.to_apply == ()
+
+
+class TestRefusals:
+    def test_without_a_reason_nothing_is_changed(self, faculty: Faculty) -> None:
+        for act in (
+            lambda: apply_regrade(faculty.regrade(), faculty.place, faculty.signed(" ")),
+            lambda: undo_regrade(faculty.place, faculty.signed("")),
+        ):
+            with pytest.raises(UsageError) as caught:
+                act()
+            assert caught.value.problems[0].parameter == "why"
+        assert len(faculty.regrade().to_apply) == 1
+
+    def test_without_a_regrade_there_is_nothing_to_take_back(self, faculty: Faculty) -> None:
+        with pytest.raises(UsageError, match="No regrade stands"):
+            undo_regrade(faculty.place, faculty.signed())
+
+    def test_who_has_handed_in_nothing_is_told_nothing(self, faculty: Faculty) -> None:
+        with pytest.raises(UsageError, match="s09"):
+            publish(faculty.place, ["s01", "s09"], faculty.signed())
+        assert len(publish(faculty.place, (), faculty.signed())) == 2
+
+    def test_without_a_gradebook_the_remedy_is_to_grade(
+        self, issued: "Classroom", tmp_path: Path
+    ) -> None:
+        with pytest.raises(GradebookError):
+            regrade([], issued.context, str(tmp_path / "no.sqlite"), 0, NOW)
+
+
+def test_a_history_tells_what_happened_when_by_whom_and_why(faculty: Faculty) -> None:
+    faculty.mark()
+    publish(faculty.place, (), faculty.signed())
+    apply_regrade(faculty.regrade(), faculty.place, faculty.signed("опечатка"), allow_lower=True)
+    undo_regrade(faculty.place, faculty.signed("нет опечатки"))
+    events = history(faculty.place, "s02")
+    assert [one.at for one in events] == sorted(one.at for one in events)
+    told = [(one.person, str(one.what).split()[0], one.why) for one in events]
+    assert told[0] == ("", "Attempt", "")
+    works = [str(one.what).partition(",")[0] for one in events if "Attempt" in str(one.what)]
+    assert works == ["Attempt 1", "Attempt 1 in regrade 1"]
+    assert any("(attempt 1)" in str(one.what) for one in events)
+    assert ("Петров", f"{DRAWING}:", "") in told
+    assert ("Петров", "Points", "") in told
+    by_title = history(faculty.place, "s02", called={DRAWING: "Чертёж"}.__getitem__)
+    assert [one for one in by_title if str(one.what).startswith("Чертёж: ")]
+    assert told[-2:] == [("Петров", "Regrade", "опечатка"), ("Петров", "Regrade", "нет опечатки")]
+    assert [one.why for one in history(faculty.place, "s01")] == ["", ""]
+    assert history(faculty.place, "s03", {"s03"}) == ()
+    with pytest.raises(UsageError, match="s04"):
+        history(faculty.place, "s04", {"s03"})

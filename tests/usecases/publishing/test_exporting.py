@@ -1,0 +1,62 @@
+"""What is taken elsewhere is the work that counts."""
+
+import json
+from dataclasses import replace
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import pytest
+
+from gripcourse.errors import UsageError
+from gripcourse.exports.platforms.works import works_of
+from gripcourse.exports.report_result import grades_result
+from gripcourse.grading.model import Report
+from gripcourse.text.words import Words
+from gripcourse.usecases.grading.batch_tables import json_text
+from gripcourse.usecases.publishing.exporting import Results, gradescope_file
+from support.reports import perfect, values, variant
+
+if TYPE_CHECKING:
+    from support.classroom import Classroom
+
+__all__ = ["perfect", "values", "variant"]
+
+
+def several(issued: "Classroom", perfect: Report, *counts: bool) -> Results:
+    """The results of one student's late works, each with its number as what is left of it."""
+    students = {"s01": issued.register["s01"].student}
+    made = [replace(perfect, student="s01", file=f"{at}.xlsx") for at, _ in enumerate(counts)]
+    grades = grades_result(made, Words("en"))
+    reports = [
+        replace(one, counts=counting, earned=float(at))
+        for at, (one, counting) in enumerate(zip(grades.reports, counts, strict=True))
+    ]
+    grades = replace(grades, reports=tuple(reports))
+    works, notes = works_of(grades, students)
+    return Results(issued.course, students, grades, Path("reports"), works, notes)
+
+
+def test_of_several_works_of_a_student_gradescope_gets_the_one_that_counts(
+    issued: "Classroom", perfect: Report, tmp_path: Path
+) -> None:
+    out = tmp_path / "results.json"
+    results = several(issued, perfect, False, True, False)
+    gradescope_file(results, "s01", out, published=False)
+    assert json.loads(out.read_text(encoding="utf-8"))["score"] == 1
+
+
+def test_where_no_rule_says_which_counts_a_person_is_asked(
+    issued: "Classroom", perfect: Report, tmp_path: Path
+) -> None:
+    with pytest.raises(UsageError, match="2 reports to choose from"):
+        gradescope_file(
+            several(issued, perfect, True, True), "", tmp_path / "r.json", published=False
+        )
+
+
+def test_who_handed_in_nothing_is_named_in_the_results_of_a_batch(issued: "Classroom") -> None:
+    lacking = replace(issued.register["s02"].student, email="s02@x.example")
+    read = json.loads(json_text([], Words("en"), missing=[lacking]))
+    assert read["missing"] == [
+        {"student": "s02", "name": lacking.name, "group": lacking.group, "email": "s02@x.example"}
+    ]
