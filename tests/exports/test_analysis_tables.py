@@ -7,7 +7,7 @@ from datetime import UTC, datetime
 import pytest
 
 from gripcourse.exports.analysis_tables import analysis_tables, history_tables
-from gripcourse.exports.report_result import grades_result
+from gripcourse.exports.make_report_result import grades_result
 from gripcourse.exports.results_tables import csv_tables
 from gripcourse.gradebook.journal import Regrade, Signed
 from gripcourse.gradebook.model import Attempt, Fingerprints, Result

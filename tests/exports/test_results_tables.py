@@ -8,7 +8,8 @@ from dataclasses import replace
 import pytest
 from openpyxl import load_workbook
 
-from gripcourse.exports.report_result import GradesResult, grades_result
+from gripcourse.exports.make_report_result import grades_result
+from gripcourse.exports.report_result import GradesResult
 from gripcourse.exports.results_tables import csv_tables, results_tables, workbook
 from gripcourse.grading.model import Report
 from gripcourse.policy.model import Policy

@@ -12,7 +12,7 @@ import pytest
 
 from gripcourse.documents.report.mistakes import kind_rows, slip_rows
 from gripcourse.exports.analysis_tables import analysis_tables
-from gripcourse.exports.report_result import grades_result
+from gripcourse.exports.make_report_result import grades_result
 from gripcourse.exports.results_tables import csv_tables
 from gripcourse.grading.model import Against, Finding, Outcome
 from gripcourse.slips.model import SlipId

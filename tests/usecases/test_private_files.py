@@ -16,8 +16,8 @@ import pytest
 from openpyxl import load_workbook
 
 from gripcourse.batch.run import Graded
+from gripcourse.exports.make_report_result import grades_result
 from gripcourse.exports.platforms.works import works_of
-from gripcourse.exports.report_result import grades_result
 from gripcourse.gradebook.checks import CheckLedger, take_one
 from gripcourse.grading.model import Report
 from gripcourse.text.shown import one_line

@@ -20,7 +20,7 @@ from gripcourse.api.results import (
 )
 from gripcourse.course.quantity import Kind, Quantity
 from gripcourse.errors import Problem
-from gripcourse.exports.report_result import finite
+from gripcourse.exports.make_report_result import finite
 from gripcourse.text.units import unit_text
 from gripcourse.text.words import Message, Words
 

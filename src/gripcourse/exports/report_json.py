@@ -6,8 +6,8 @@ from dataclasses import replace
 from functools import partial
 from typing import Final
 
+from gripcourse.exports.make_report_result import finding_result, report_result
 from gripcourse.exports.plain import to_plain
-from gripcourse.exports.report_result import finding_result, report_result
 from gripcourse.grading.folded import Derivation, derived
 from gripcourse.grading.model import Finding, Report
 from gripcourse.policy.scales import Scale

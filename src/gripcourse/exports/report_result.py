@@ -1,26 +1,12 @@
 """Reports for other programs: everything that was found, in sentences of one language."""
 
-import math
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 from typing import Any, ClassVar
 
-from gripcourse.documents.report.standing import percent_of, standing_of
-from gripcourse.exports.files import Fate, FileAccount, graded_account, reason_of
+from gripcourse.exports.files import Fate
 from gripcourse.exports.plain import from_plain, to_plain
-from gripcourse.grading.model import (
-    Against,
-    Decision,
-    Finding,
-    Flag,
-    FlagCode,
-    KnownBy,
-    Outcome,
-    Report,
-)
-from gripcourse.policy.scales import Scale, certain_grade
-from gripcourse.text.words import LANGUAGES, Message, Words
-from gripcourse.variants.model import Student
+from gripcourse.grading.model import Against, Decision, KnownBy, Outcome
 
 
 @dataclass(frozen=True, slots=True)
@@ -227,124 +213,3 @@ class GradesResult:
     def from_dict(cls, plain: Mapping[str, Any]) -> "GradesResult":
         """Read the plain form; see `exports.plain.from_plain`."""
         return from_plain(cls, plain)
-
-
-def grades_result(
-    reports: Sequence[Report],
-    words: Words,
-    incidents: Sequence[str] = (),
-    others: Sequence[FileAccount] = (),
-    scales: Sequence[Scale] = (),
-    missing: Sequence[Student] = (),
-) -> GradesResult:
-    """Put the reports of a batch into words for another program.
-
-    Args:
-        reports: of the files that were read.
-        words: their language.
-        incidents: what failed on our side.
-        others: files that were found and not looked at.
-        scales: of the policy.
-        missing: students of whom there is nothing.
-    """
-    made = tuple(report_result(report, words, scales) for report in reports)
-    return replace(around_reports(reports, words, incidents, others, missing), reports=made)
-
-
-def around_reports(
-    reports: Sequence[Report],
-    words: Words,
-    incidents: Sequence[str] = (),
-    others: Sequence[FileAccount] = (),
-    missing: Sequence[Student] = (),
-) -> GradesResult:
-    """Return what a batch came to but for the reports themselves; see `grades_result`."""
-    accounts = (*map(graded_account, reports), *others)
-    flagged = any(one.needs_person for one in accounts)
-    files = tuple(
-        FileResult(one.file, one.fate, one.student, one.why, reason_of(one, words))
-        for one in accounts
-    )
-    lacking = tuple(MissingResult(one.id, one.name, one.group, one.email) for one in missing)
-    return GradesResult((), flagged, tuple(incidents), files, lacking)
-
-
-def report_result(report: Report, words: Words, scales: Sequence[Scale] = ()) -> ReportResult:
-    """Put a report into words for another program; scales are those of the policy."""
-    standing = standing_of(report)
-    called = {one.id: certain_grade(one, standing, words) for one in scales}
-    return ReportResult(
-        file=report.file,
-        student=report.student,
-        name=report.name,
-        variant=report.variant,
-        scheme=report.scheme,
-        options=dict(report.options),
-        judged=report.judged,
-        score=_points(report.score) if report.judged else None,
-        max_score=_points(report.max_score) if report.judged else None,
-        open_points=_points(report.open_points),
-        flags=tuple(_flag_result(one, words) for one in report.flags),
-        remarks=_said(report.remarks, words),
-        causes=tuple(
-            CauseResult(one.quantity, one.explains, words.say(one.message)) for one in report.causes
-        ),
-        findings=tuple(finding_result(one, words) for one in report.findings),
-        digest=report.digest,
-        known_by=report.known_by,
-        earned=_points(report.earned) if report.judged else None,
-        days_late=0 if report.timing is None else report.timing.days_late,
-        counts=_counts(report),
-        percent=percent_of(report) if report.judged else None,
-        scales=called if report.judged else {},
-    )
-
-
-def _counts(report: Report) -> bool | None:
-    """Tell whether a work counts; None where nobody has decided which of several does."""
-    if any(one.code is FlagCode.SEVERAL_FILES for one in report.flags):
-        return None
-    return report.timing is None or report.timing.counts
-
-
-def _points(value: float) -> float:
-    return round(value, 6)  # what adding up in another order changes is not said
-
-
-def finite(value: float | None) -> float | None:
-    """Return a number that JSON can hold, None for none."""
-    return value if value is not None and math.isfinite(value) else None
-
-
-def _flag_result(flag: Flag, words: Words) -> FlagResult:
-    in_languages = {language: Words(language).say(flag.message) for language in LANGUAGES}
-    said = words.say(flag.message)
-    return FlagResult(flag.code, said, flag.others, flag.rests_on, in_languages)
-
-
-def finding_result(finding: Finding, words: Words) -> FindingResult:
-    """Put a finding into words for another program."""
-    return FindingResult(
-        quantity=finding.quantity,
-        section=finding.section,
-        outcome=finding.outcome,
-        against=finding.against,
-        given=finite(finding.given),
-        typed=finding.typed,
-        cell=finding.cell,
-        reference=finite(finding.reference),
-        expected=finite(finding.expected),
-        band=finite(finding.band),
-        points=_points(finding.points),
-        max_points=_points(finding.max_points),
-        slip="" if finding.slip is None else str(finding.slip),
-        tied=tuple(map(str, finding.tied)),
-        roots=finding.roots,
-        message=words.say(finding.message),
-        remarks=_said(finding.remarks, words),
-        decision=finding.decision,
-    )
-
-
-def _said(sentences: Sequence[Message], words: Words) -> tuple[str, ...]:
-    return tuple(words.say(one) for one in sentences)

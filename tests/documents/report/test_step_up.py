@@ -6,7 +6,8 @@ import pytest
 
 from gripcourse.course.load import load_course
 from gripcourse.course.model import Course
-from gripcourse.documents.reference.entry import EntryRule, entry_of
+from gripcourse.documents.reference.entry import entry_of
+from gripcourse.documents.reference.model import EntryRule
 from gripcourse.documents.reference.occurrence import content_of
 from gripcourse.documents.report.worked import worked_line
 from gripcourse.formula.plain import text

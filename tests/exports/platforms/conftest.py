@@ -5,8 +5,9 @@ from dataclasses import replace
 
 import pytest
 
+from gripcourse.exports.make_report_result import grades_result
 from gripcourse.exports.platforms.works import GradedWork, works_of
-from gripcourse.exports.report_result import GradesResult, grades_result
+from gripcourse.exports.report_result import GradesResult
 from gripcourse.grading.model import Report
 from gripcourse.text.words import Words
 from gripcourse.variants.model import Student

@@ -18,8 +18,8 @@ from gripcourse.cli.times_text import without_times
 from gripcourse.documents.report.standing import timing_texts
 from gripcourse.errors import UsageError
 from gripcourse.exports.grades import grades_text
+from gripcourse.exports.make_report_result import report_result
 from gripcourse.exports.platforms.moodle_words import HEADINGS, MoodleColumn
-from gripcourse.exports.report_result import report_result
 from gripcourse.gradebook.timing import Waiver
 from gripcourse.grading.model import Flag, FlagCode, Report, Timing
 from gripcourse.policy.time_rules import AttemptRule, Counts, LateRule

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING
 import pytest
 
 from gripcourse.errors import UsageError
+from gripcourse.exports.make_report_result import grades_result
 from gripcourse.exports.platforms.works import works_of
-from gripcourse.exports.report_result import grades_result
 from gripcourse.grading.model import Report
 from gripcourse.text.words import Words
 from gripcourse.usecases.grading.batch_tables import json_text

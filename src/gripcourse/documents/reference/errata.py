@@ -6,7 +6,8 @@ from dataclasses import dataclass
 from gripcourse.course.errata import Erratum
 from gripcourse.course.model import Course
 from gripcourse.course.quantity import Source
-from gripcourse.documents.reference.entry import Citation, citation
+from gripcourse.documents.reference.entry import citation
+from gripcourse.documents.reference.model import Citation
 from gripcourse.documents.reference.notation import symbol_of
 from gripcourse.documents.reference.occurrence import Content
 from gripcourse.formula.boxes import Box

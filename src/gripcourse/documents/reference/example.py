@@ -8,7 +8,8 @@ from typing import Final
 from gripcourse.course.compose import part_ids
 from gripcourse.course.model import WorkedExample
 from gripcourse.course.quantity import Convention, Kind, Quantity
-from gripcourse.documents.reference.entry import BringingOption, Citation, Link, citation, link_to
+from gripcourse.documents.reference.entry import citation, link_to
+from gripcourse.documents.reference.model import BringingOption, Citation, Link
 from gripcourse.documents.reference.occurrence import Content, Occurrence
 from gripcourse.solver.plan import Plan, make_plan
 from gripcourse.solver.solve import solve_variant

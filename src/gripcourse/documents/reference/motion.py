@@ -5,7 +5,8 @@ from dataclasses import dataclass
 from typing import Final
 
 from gripcourse.course.kinematics import Direction, Kinematics
-from gripcourse.documents.reference.entry import Link, link_to
+from gripcourse.documents.reference.entry import link_to
+from gripcourse.documents.reference.model import Link
 from gripcourse.documents.reference.notation import name_box, symbol_of
 from gripcourse.documents.reference.occurrence import Content
 from gripcourse.formula.boxes import Box

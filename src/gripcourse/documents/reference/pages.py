@@ -13,10 +13,6 @@ from gripcourse.documents.pdf import Document, render_html
 from gripcourse.documents.reference.coverage import coverage_of
 from gripcourse.documents.reference.diagram import diagram_of
 from gripcourse.documents.reference.entry import (
-    BringingOption,
-    Link,
-    NamedValue,
-    ReferenceEntry,
     bringing_option,
     entry_of,
     link_to,
@@ -24,6 +20,7 @@ from gripcourse.documents.reference.entry import (
 )
 from gripcourse.documents.reference.errata import faults_of
 from gripcourse.documents.reference.example import example_of
+from gripcourse.documents.reference.model import BringingOption, Link, NamedValue, ReferenceEntry
 from gripcourse.documents.reference.motion import motion_of
 from gripcourse.documents.reference.occurrence import (
     Content,

@@ -6,7 +6,8 @@ from typing import Final
 
 from gripcourse.course.model import Catalogue
 from gripcourse.course.quantity import Quantity
-from gripcourse.documents.reference.entry import Link, link_to
+from gripcourse.documents.reference.entry import link_to
+from gripcourse.documents.reference.model import Link
 from gripcourse.documents.reference.notation import columns_in
 from gripcourse.documents.reference.occurrence import Content
 from gripcourse.text.units import factor, unit_text

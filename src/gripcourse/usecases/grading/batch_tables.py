@@ -7,8 +7,9 @@ from pathlib import Path
 from gripcourse.batch.one_file import GradingContext
 from gripcourse.exports.files import Fate, FileAccount, files_text, graded_account
 from gripcourse.exports.grades import Called, grades_text
+from gripcourse.exports.make_report_result import around_reports, grades_result
 from gripcourse.exports.report_json import report_json
-from gripcourse.exports.report_result import GradesResult, around_reports, grades_result
+from gripcourse.exports.report_result import GradesResult
 from gripcourse.grading.model import Report
 from gripcourse.machine.files import write_together
 from gripcourse.policy.scales import Scale
