@@ -66,9 +66,13 @@ def test_the_same_seed_gives_the_same_table(course: Course, policy: Policy) -> N
 def test_what_was_set_aside_is_counted_by_reason(course: Course, policy: Policy) -> None:
     (space,) = (one for one in load_spaces(course) if one.scheme == "wedge_roller")
     (tally,) = draw(course, [space], 12, 5, sifter(policy, len(course.sections))).tallies
-    said = {str(refusal.what) for refusal in tally.set_aside}
-    assert "a slip gives nearly the right result" in said
-    assert "a size lies at the edge of its step" in said
+    said = [str(refusal.what) for refusal in tally.set_aside]
+    slips = [one for one in said if "gives nearly the right result: " in one]
+    edges = [one for one in said if "lies at the edge of its step: " in one]
+    assert slips
+    assert edges
+    assert len(set(said)) == len(said)  # each slip and each size once, over all batches
+    assert all(one.endswith(")") for one in (*slips, *edges))  # which quantity: its id in brackets
 
 
 def test_a_limit_that_nothing_keeps_is_told_with_its_reason(course: Course, policy: Policy) -> None:

@@ -124,7 +124,9 @@ def drawn_text(drawn: "Drawn", out: Path, words: Words) -> str:
             f"  {refusal.count} ({refusal.count / tally.tried:.0%}): {words.say(refusal.what)}"
             for refusal in tally.refusals[:5]
         ]
-        lines += [f"  {words.say(_left_out(refusal, tally.tried))}" for refusal in tally.set_aside]
+        lines += [
+            f"  {words.say(_left_out(refusal, tally.tried))}" for refusal in tally.set_aside[:5]
+        ]
     return "\n".join(lines)
 
 

@@ -2,6 +2,8 @@
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from itertools import pairwise
+from math import isclose
 
 from gripcourse.course.quantity import Kind, Quantity
 from gripcourse.documents.report.worked import entering_units, worked_line
@@ -16,6 +18,10 @@ _FIGURES = 12  # sizes are printed as they are declared, never rounded
 _WIDE = 8  # columns, from which on a table takes the width of the page
 _BESIDE = 2  # formulas that find room beside a small table
 _FEW, _LONG = 4, 6  # so few columns of so many rows are printed as lines across the page
+_LINE = 125  # characters that find room in such a line, a space behind each number
+_RUN = 40  # sizes that stand equally far apart, from which on only the ends of the run are printed
+_SAME = 1e-9  # share by which equal steps may differ as they are computed
+_BEGINNING = 3  # sizes that show how such a run goes on
 
 
 @dataclass(frozen=True, slots=True)
@@ -31,7 +37,7 @@ class AppendixTable:
         headings: name and unit of each column of a table.
         rows: numbers of a table as text.
         wide: whether it takes the width of the page.
-        across: whether its columns are printed as lines.
+        strips: where its columns are printed as lines: the rows that stand side by side.
     """
 
     number: int
@@ -42,7 +48,7 @@ class AppendixTable:
     headings: tuple[tuple[str, str], ...]
     rows: tuple[tuple[str, ...], ...]
     wide: bool
-    across: bool
+    strips: tuple[tuple[tuple[str, ...], ...], ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -129,15 +135,41 @@ def _table(one: NeededTable, words: Words) -> AppendixTable:
         title=title.of(language),
         takers=tuple(dict.fromkeys(symbol for symbol in taken if symbol)),
         unit=units[0],
-        sizes=tuple(row[0] for row in written) if one.is_series else (),
+        sizes=_sizes(one, written) if one.is_series else (),
         headings=tuple(
             (catalogue.headings[name].of(language) if name in catalogue.headings else "", unit)
             for name, unit in zip(one.columns, units, strict=True)
         ),
         rows=() if one.is_series else written,
         wide=len(one.columns) > _WIDE or across,
-        across=across,
+        strips=_strips(written) if across and not one.is_series else (),
     )
+
+
+def _sizes(one: NeededTable, written: tuple[tuple[str, ...], ...]) -> tuple[str, ...]:
+    """Return the sizes of a series, of a long run such as all whole numbers only its ends."""
+    sizes = [size for (size,) in one.rows]
+    texts = [text for (text,) in written]
+    steps = [after - before for before, after in pairwise(sizes)]
+    printed: list[str] = []
+    at = 0
+    while at < len(sizes):
+        end = at + 1
+        while end < len(sizes) and isclose(steps[end - 1], steps[at], rel_tol=_SAME):
+            end += 1
+        shown = _BEGINNING if end - at >= _RUN else end - at
+        printed += texts[at : at + shown]
+        printed += ["…", texts[end - 1]] if shown < end - at else []
+        at = end
+    return tuple(printed)
+
+
+def _strips(rows: tuple[tuple[str, ...], ...]) -> tuple[tuple[tuple[str, ...], ...], ...]:
+    """Divide rows that are printed side by side, about evenly, into as many lines as they need."""
+    width = sum(1 + max(map(len, row)) for row in rows)
+    count = -(-width // _LINE)
+    long = -(-len(rows) // count)
+    return tuple(rows[at : at + long] for at in range(0, len(rows), long))
 
 
 def _works(plan: Plan, words: Words) -> Iterator[QuotedWork]:

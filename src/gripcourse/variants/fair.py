@@ -110,7 +110,9 @@ def near_steps(group: Group, margin: float) -> dict[str, Mask]:
 
     There the size changes when a computed answer that it is taken for moves by `margin`, a share
     of itself: a student who rounds honestly could be led to the other size. A size that rests on
-    given numbers and other sizes alone is never at an edge: these are not rounded.
+    given numbers and other sizes alone is never at an edge: these are not rounded. Nor is one whose
+    neighbour is no further off than the answer may move to both sides, such as 126 whole turns:
+    every answer would be at an edge, and it hardly matters which of the two is taken.
 
     Args:
         group: solved variants.
@@ -198,7 +200,8 @@ def _moves(group: Group, member: Member, margin: float) -> Mask:
         for names in (*((name,) for name in computed), *together):
             for scale in (1 - margin, 1 + margin):
                 values = {**taken, **{name: taken[name] * scale for name in names}}
-                moved[where] |= compute(member.plan, member.quantity, values) != chosen[where]
+                other = compute(member.plan, member.quantity, values)
+                moved[where] |= ~(np.abs(other - chosen[where]) <= 2 * margin * chosen[where])
     return moved
 
 

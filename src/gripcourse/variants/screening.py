@@ -1,6 +1,6 @@
 """What a drawn variant must satisfy besides being solvable: the rules that an audit measures."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -8,7 +8,7 @@ import numpy as np
 from gripcourse.course.quantity import Kind
 from gripcourse.policy.model import Policy
 from gripcourse.solver.family import Rows
-from gripcourse.text.words import message
+from gripcourse.text.words import Message, message
 from gripcourse.variants.accepted import Accepted
 from gripcourse.variants.answers import Group, items_of
 from gripcourse.variants.apart import limits_of
@@ -74,9 +74,9 @@ def sifter(
     def sift(batch: Batch) -> Sifted:
         count = len(batch.cases)
         group = _group(batch)
-        slips = _any(too_near(group, policy).values(), count)
-        edges = _any(near_steps(group, policy.variants.step_margin).values(), count) & ~slips
-        waiting = _Waiting.of(batch, np.flatnonzero(~slips & ~edges), balance)
+        slips, edges = too_near(group, policy), near_steps(group, policy.variants.step_margin)
+        left_out = _any((*slips.values(), *edges.values()), count)
+        waiting = _Waiting.of(batch, np.flatnonzero(~left_out), balance)
         overlaps: list[Overlap] = []
         alike = 0
         while looked_at := waiting.next():
@@ -90,8 +90,8 @@ def sifter(
                 waiting.decide(place, keep=keep)
         refusals = (
             Refusal(message("too near to another variant"), alike),
-            Refusal(message("a slip gives nearly the right result"), int(slips.sum())),
-            Refusal(message("a size lies at the edge of its step"), int(edges.sum())),
+            *_of_slips(group, slips),
+            *_of_edges(group, edges),
             *(Refusal(overlap_in_short(one), 1) for one in overlaps),
         )
         return Sifted(waiting.keep, summed(refusals))
@@ -165,6 +165,30 @@ class _Waiting:
 
 def _group(batch: Batch) -> Group:
     return Group(batch.family, np.arange(len(batch.cases)), batch.evaluation.values, {})
+
+
+def _of_slips(group: Group, found: Mapping[tuple[str, str], Mask]) -> Iterator[Refusal]:
+    """Name each slip that candidates were refused for: one of them may have several."""
+    for (id_, slip), near in found.items():
+        what = message(
+            "the slip '{slip}' gives nearly the right result: {quantity}",
+            slip=slip,
+            quantity=_named(group, id_),
+        )
+        yield Refusal(what, int(near.sum()))
+
+
+def _of_edges(group: Group, found: Mapping[str, Mask]) -> Iterator[Refusal]:
+    for id_, near in found.items():
+        what = message(
+            "the size lies at the edge of its step: {quantity}", quantity=_named(group, id_)
+        )
+        yield Refusal(what, int(near.sum()))
+
+
+def _named(group: Group, id_: str) -> Message:
+    title = next(one.quantity.title for one in group.family.answered if one.quantity.id == id_)
+    return message("{title} ({id})", title=title, id=id_)
 
 
 def _any(masks: Iterable[Mask], count: int) -> Mask:
