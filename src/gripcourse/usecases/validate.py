@@ -85,7 +85,7 @@ def _validated(root: Path, *, thorough: bool) -> Validation:
     own = files_seen(root, [root / name for name in REQUIRED_FOLDERS])
     templates = root / TEMPLATES
     look = files_seen(root, template_folders(templates))
-    course, problems = _judged(root, thorough=thorough)
+    course, problems = _judged(root, files, thorough=thorough)
     if course is None:
         return Validation(problems, computed=False)
     problems += check_equations(course)
@@ -114,10 +114,12 @@ def _validated(root: Path, *, thorough: bool) -> Validation:
     return Validation([*problems, *_machine_problems(root)], computed=computed)
 
 
-def _judged(root: Path, *, thorough: bool) -> tuple[Course | None, list[Problem]]:
+def _judged(
+    root: Path, files: SourceFiles | None, *, thorough: bool
+) -> tuple[Course | None, list[Problem]]:
     """Read and check a course; one that was found sound is not read again but for more."""
     if not thorough:
-        course, problems, _ = judge_course(root)
+        course, problems, _ = judge_course(root, files)
         return course, problems
     course, problems = read_course(root)
     return course, problems if course is None else [*problems, *check_course(course, thorough=True)]
