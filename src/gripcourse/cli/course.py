@@ -11,6 +11,7 @@ from gripcourse.cli.loudness import confirm
 from gripcourse.cli.options import (
     DONE,
     NEEDS_PERSON,
+    PROCESSORS,
     WRONG_USE,
     CourseOption,
     LanguageOption,
@@ -52,7 +53,7 @@ def validate(
     if scheme is not None:
         problems = scheme_problems(root, scheme)
     else:
-        found = validated(root, thorough=prove)
+        found = validated(root, thorough=prove, processes=PROCESSORS)
         problems = found.problems
         if problems and not found.computed:
             late = message("What depends on the following is tried once it is mended:")

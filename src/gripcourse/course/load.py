@@ -3,6 +3,7 @@
 from dataclasses import replace
 from functools import lru_cache
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from gripcourse.course.digest import course_digest
 from gripcourse.course.model import Course
@@ -10,6 +11,9 @@ from gripcourse.errors import CourseError, Problem
 from gripcourse.machine.enclosed import strange_files
 from gripcourse.machine.kept import keep, read_kept
 from gripcourse.machine.resources import COURSE_FOLDERS
+
+if TYPE_CHECKING:
+    from gripcourse.course.source_files import SourceFiles
 
 
 def load_course(root: Path) -> Course:
@@ -48,8 +52,14 @@ def kept_course(root: Path) -> Course | None:
     return None if digest is None else _kept_at(digest, root)
 
 
-def judge_course(root: Path) -> tuple[Course | None, list[Problem], str | None]:
+def judge_course(
+    root: Path, files: "SourceFiles | None" = None
+) -> tuple[Course | None, list[Problem], str | None]:
     """Return a course with every problem of its files; one that is kept has none.
+
+    Args:
+        root: of the course.
+        files: of it, where who asks has looked at them already.
 
     Returns:
         The course, None where a file could not be read at all; its problems; and the digest that
@@ -68,7 +78,7 @@ def judge_course(root: Path) -> tuple[Course | None, list[Problem], str | None]:
     from gripcourse.course.sound_schemes import NOT_READ, judgement  # noqa: PLC0415
     from gripcourse.course.source_files import source_files  # noqa: PLC0415
 
-    files = source_files(root)
+    files = files or source_files(root)
     course, problems = read_course(root)
     if course is None:
         return None, problems, digest

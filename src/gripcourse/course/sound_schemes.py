@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from typing import Final
 
 from gripcourse.course.model import Course
-from gripcourse.course.source_files import SourceFiles, source_files
+from gripcourse.course.source_files import SourceFiles
 from gripcourse.machine.kept import keep, read_kept
 
 NOT_READ: Final = (
@@ -44,7 +44,7 @@ class SchemeJudgement:
         """Remember that all schemes were found sound, unless a file changed meanwhile."""
         known = _remembered()
         new = dict.fromkeys(self.digests.values())
-        if not known.keys() >= new.keys() and source_files(self.course.root) == self.files:
+        if not known.keys() >= new.keys() and self.files.are_unchanged(self.course.root):
             keep(_REMEMBERED, tuple(known | new)[-_MOST:])
 
 

@@ -110,6 +110,14 @@ class SourceFiles:
             },
         )
 
+    def are_unchanged(self, root: Path) -> bool:
+        """Tell whether a course still consists of these files, and nothing of them has changed."""
+        found = _contents(root)
+        return found is not None and {
+            name: (changed, hashlib.sha256(data).hexdigest())
+            for name, (changed, data) in found.items()
+        } == {name: (one.changed, one.digest) for name, one in self.files.items()}
+
     def catalogues(self) -> Iterator[str]:
         """Yield the names of the files of all catalogues."""
         return (name for name in self.files if _is_in(name, CATALOGUES, ".csv"))
@@ -121,32 +129,57 @@ def source_files(root: Path) -> SourceFiles | None:
     Args:
         root: of the course.
     """
-    try:
-        below = [path for one in REQUIRED_FOLDERS for path in (root / one).rglob("*")]
-        if any(path.is_symlink() and path.is_dir() for path in below):
-            return None
-        paths = {path.relative_to(root).as_posix(): path for path in below if path.is_file()}
-        read = {name: (path.stat().st_ctime_ns, path.read_bytes()) for name, path in paths.items()}
-    except OSError:
+    read = _contents(root)
+    if read is None:
         return None
     ids = {Path(name).stem for name in read if _is_in(name, CATALOGUES, ".csv")}
     ids |= {name.removeprefix(SCHEMES).split("/")[0] for name in read if name.startswith(SCHEMES)}
-    known = {one.encode(): one for one in ids}
+    known = _Known.of(ids)
     return SourceFiles(
         {
-            name: SourceFile(hashlib.sha256(data).hexdigest(), changed, _named(data, known))
+            name: SourceFile(hashlib.sha256(data).hexdigest(), changed, known.in_text(data))
             for name, (changed, data) in read.items()
         }
     )
 
 
-def _named(data: bytes, known: Mapping[bytes, str]) -> frozenset[str]:
-    """Return which names may be meant in a text: those that occur, all where some are escaped."""
-    if _ESCAPE.search(data):
-        return frozenset(known.values())
-    plain = known.keys() & set(_WORDS.findall(data))
-    plain |= {one for one in known if one in data and not _WORDS.fullmatch(one)}
-    return frozenset(known[one] for one in plain)
+def _contents(root: Path) -> dict[str, tuple[int, bytes]] | None:
+    """Return by name when each file of a course changed last, and its content; None as above."""
+    try:
+        below = [path for one in REQUIRED_FOLDERS for path in (root / one).rglob("*")]
+        if any(path.is_symlink() and path.is_dir() for path in below):
+            return None
+        paths = {path.relative_to(root).as_posix(): path for path in below if path.is_file()}
+        return {name: (path.stat().st_ctime_ns, path.read_bytes()) for name, path in paths.items()}
+    except OSError:
+        return None
+
+
+@dataclass(frozen=True, slots=True)
+class _Known:
+    """The names that are looked for in files: those that are one word, and the others.
+
+    Attributes:
+        words, others: by how they are written.
+    """
+
+    words: Mapping[bytes, str]
+    others: Mapping[bytes, str]
+
+    @staticmethod
+    def of(ids: Iterable[str]) -> "_Known":
+        known = {one.encode(): one for one in ids}
+        words = {written: one for written, one in known.items() if _WORDS.fullmatch(written)}
+        others = {written: one for written, one in known.items() if written not in words}
+        return _Known(words, others)
+
+    def in_text(self, data: bytes) -> frozenset[str]:
+        """Return which may be meant in a text: those that occur, all where some are escaped."""
+        if _ESCAPE.search(data):
+            return frozenset((*self.words.values(), *self.others.values()))
+        words = self.words.keys() & set(_WORDS.findall(data))
+        others = (one for written, one in self.others.items() if written in data)
+        return frozenset((*(self.words[one] for one in words), *others))
 
 
 def _is_of_few(name: str) -> bool:

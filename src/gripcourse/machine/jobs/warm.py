@@ -48,8 +48,20 @@ def do_apart(
         limits: of the worker; `Limits.processor` bounds its time too.
         seconds: that the job may take by the clock.
     """
+    return begin_apart(work, item, shared, limits=limits, seconds=seconds)()
+
+
+def begin_apart(
+    work: Callable[[Item, Shared], Result],
+    item: Item,
+    shared: Shared,
+    *,
+    limits: Limits,
+    seconds: float,
+) -> Callable[[], Result | Lost]:
+    """Begin a job as `do_apart` does it; return what waits for its end."""
     packed = pickle.dumps((Task(work, shared, seconds, limits), item))
-    return _KEEPER.submit(_done, packed, limits, seconds + limits.grace).result()
+    return _KEEPER.submit(_done, packed, limits, seconds + limits.grace).result
 
 
 def start_early(work: Callable[[None, None], object], limits: Limits) -> None:

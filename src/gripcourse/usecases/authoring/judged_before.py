@@ -95,6 +95,12 @@ def found_before(
     return found
 
 
+def is_known(subject: str, seen: Sequence[FilesSeen]) -> bool:
+    """Tell whether `found_before` would find nothing anew."""
+    digest = _digest(subject, seen)
+    return digest is not None and read_kept(digest) is not None
+
+
 def _digest(subject: str, seen: Iterable[FilesSeen]) -> str | None:
     digests = [one.digest for one in seen]
     told = [one for one in digests if one is not None]

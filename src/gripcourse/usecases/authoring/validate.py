@@ -29,7 +29,13 @@ from gripcourse.simulation.mix import mix_path, read_mix
 from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.words import message
 from gripcourse.usecases.authoring.check_lists import list_problems
-from gripcourse.usecases.authoring.judged_before import files_seen, found_before, unless_sound
+from gripcourse.usecases.authoring.judged_before import (
+    FilesSeen,
+    files_seen,
+    found_before,
+    is_known,
+    unless_sound,
+)
 from gripcourse.usecases.authoring.scheme_numbers import (
     computed_problems,
     drawn_problems,
@@ -37,7 +43,13 @@ from gripcourse.usecases.authoring.scheme_numbers import (
     numbers_of_schemes,
 )
 from gripcourse.usecases.authoring.styles import style_problems
-from gripcourse.usecases.authoring.template_trial import trial_problems
+from gripcourse.usecases.authoring.template_trial import (
+    Trial,
+    begun_apart,
+    prepare_apart,
+    trial_of,
+    trial_problems,
+)
 from gripcourse.usecases.authoring.templates import all_templates
 from gripcourse.variants.pays import paying_rules
 from gripcourse.variants.range_problems import range_problems
@@ -45,6 +57,8 @@ from gripcourse.variants.table import read_table
 
 # What every document of every course needs of a machine; its fonts are asked for by the course.
 _NEEDED = ("pango", "harfbuzz-subset", "translation")
+_NUMBERS = "numbers"
+_BOTH = 2  # processes: one for numbers, one for templates
 
 
 @dataclass(frozen=True, slots=True)
@@ -66,34 +80,38 @@ def all_problems(root: Path, *, thorough: bool = False) -> list[Problem]:
     return validated(root, thorough=thorough).problems
 
 
-def validated(root: Path, *, thorough: bool = False) -> Validation:
+def validated(root: Path, *, thorough: bool = False, processes: int = 1) -> Validation:
     """Find every problem of a course, whatever file it is in, and of this machine with it.
 
     Args:
         root: of the course.
         thorough: look at every combination of options, and not only at any two choices together:
             some seconds for what three options do to each other.
+        processes: that may work at a time; with two, templates are tried while numbers are judged.
     """
     # Nearly everything that is read lives to the end.
     with few_collections():
-        return _validated(root, thorough=thorough)
+        return _validated(root, thorough=thorough, is_alone=processes < _BOTH)
 
 
-def _validated(root: Path, *, thorough: bool) -> Validation:
+def _validated(root: Path, *, thorough: bool, is_alone: bool) -> Validation:
     # All of it as it is before anything is read.
     files = source_files(root)
     own = files_seen(root, [root / name for name in REQUIRED_FOLDERS])
     templates = root / TEMPLATES
     look = files_seen(root, template_folders(templates))
-    course, problems = _judged(root, thorough=thorough)
+    course, problems = _judged(root, files, thorough=thorough)
     if course is None:
         return Validation(problems, computed=False)
     problems += check_equations(course)
     # Spaces, tables and filled pages are about the course: judging them against a broken one only
     # adds noise.
     is_sound = not problems
+    trial: Trial | None = None
     if not is_sound:
         problems += _unaffected_problems(course, problems)
+    elif not (is_alone or is_known(_NUMBERS, [own])):
+        trial = _to_try_apart(course, files, look)
     policy, unfit = read_policy(course)
     problems += [*unfit, *_mix_problems(course)]
     problems += _list_problems(course, policy)
@@ -105,19 +123,35 @@ def _validated(root: Path, *, thorough: bool) -> Validation:
     )
     problems += [*read.problems, *style_problems(templates)]
     fit = None if unfit else policy
+    tried = begun_apart(root, files, fit, templates, read) if trial and fit else None
     if is_sound:
-        problems += unless_sound("numbers", [own], partial(_number_problems, course, files, fit))
+        problems += unless_sound(_NUMBERS, [own], partial(_number_problems, course, files, fit))
     if is_sound and fit is not None:
-        filled = partial(trial_problems, course, files, templates, look, read)
+
+        def filled() -> list[Problem]:
+            tried_with = trial or trial_of(course, files)
+            return trial_problems(tried_with, fit, templates, look, read, tried)
+
         problems += unless_sound("templates", [own, look], filled)
     computed = is_sound and fit is not None
     return Validation([*problems, *_machine_problems(root)], computed=computed)
 
 
-def _judged(root: Path, *, thorough: bool) -> tuple[Course | None, list[Problem]]:
+def _to_try_apart(course: Course, files: SourceFiles | None, look: FilesSeen) -> Trial | None:
+    """Return what another process is to try templates with, and start it; None: they are known."""
+    trial = trial_of(course, files)
+    if trial.is_known(look):
+        return None
+    prepare_apart()
+    return trial
+
+
+def _judged(
+    root: Path, files: SourceFiles | None, *, thorough: bool
+) -> tuple[Course | None, list[Problem]]:
     """Read and check a course; one that was found sound is not read again but for more."""
     if not thorough:
-        course, problems, _ = judge_course(root)
+        course, problems, _ = judge_course(root, files)
         return course, problems
     course, problems = read_course(root)
     return course, problems if course is None else [*problems, *check_course(course, thorough=True)]
