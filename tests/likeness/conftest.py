@@ -15,7 +15,8 @@ from numpy.typing import NDArray
 from gripcourse.course.model import Course
 from gripcourse.course.quantity import Kind
 from gripcourse.likeness.issued import IssuedValues, issued_values
-from gripcourse.likeness.model import ComparedWork, Typed
+from gripcourse.likeness.model import ComparedWork
+from gripcourse.likeness.typed_numbers import Typed, TypedNumbers
 from gripcourse.solver.plan import Plan, make_plan
 from gripcourse.solver.solve import evaluate
 from gripcourse.text.units import factor
@@ -101,7 +102,7 @@ class Room:
         return [
             ComparedWork(
                 student,
-                tuple(
+                TypedNumbers.of(
                     Typed(name, typed[row, column], half[row, column], told, "")
                     for column, name in enumerate(self.answered)
                     if np.isfinite(typed[row, column]) and kinds[column] is not Kind.VERDICT

@@ -11,7 +11,8 @@ import pytest
 from gripcourse.likeness.cells import SparseTable
 from gripcourse.likeness.evidence import find_evidence
 from gripcourse.likeness.issued import IssuedValues
-from gripcourse.likeness.model import ComparedWork, Evidence, NumberKind, Typed
+from gripcourse.likeness.model import ComparedWork, Evidence, NumberKind
+from gripcourse.likeness.typed_numbers import Typed, TypedNumbers, none_typed
 from gripcourse.policy.model import LikenessRule
 
 if TYPE_CHECKING:
@@ -137,7 +138,7 @@ def work(
         Typed(f"q{column}", value, 10.0 ** (np.floor(np.log10(value)) - 2) / 2, explained, slip)
         for column, value in enumerate(values)
     )
-    return ComparedWork(student, tuple(numbers), "")
+    return ComparedWork(student, TypedNumbers.of(numbers), "")
 
 
 def odds(works: list[ComparedWork], kind: NumberKind, issued: IssuedValues = ISSUED) -> float:
@@ -175,7 +176,10 @@ def test_own_right_answers_beside_copied_ones_weaken_the_evidence() -> None:
         replace(one, value=value, explained=True)
         for one, value in zip(mixed.numbers, RIGHT["a"], strict=True)
     ]
-    halves = [replace(mixed, numbers=(*mixed.numbers[:n], *own[n:])) for n in (5, 4, 3, 2)]
+    halves = [
+        replace(mixed, numbers=TypedNumbers.of((*tuple(mixed.numbers)[:n], *own[n:])))
+        for n in (5, 4, 3, 2)
+    ]
     all_odds = [odds([one], NumberKind.OTHER_VARIANT) for one in halves]
     assert all_odds == sorted(all_odds, reverse=True)
     assert len(set(all_odds)) == len(all_odds)
@@ -231,7 +235,9 @@ def test_one_or_two_coincidences_are_not_evidence() -> None:
 
 
 def test_zeros_and_numbers_beyond_reason_are_passed_over() -> None:
-    numbers = tuple(Typed(f"q{n}", value, 0.0, False, "") for n, value in enumerate((0.0, np.inf)))
+    numbers = TypedNumbers.of(
+        Typed(f"q{n}", value, 0.0, False, None) for n, value in enumerate((0.0, np.inf))
+    )
     assert find_evidence([ComparedWork("a", numbers, "")], ISSUED, LikenessRule(1e-12, 1, 0)) == ()
 
 
@@ -240,7 +246,7 @@ def test_a_policy_can_switch_the_search_off() -> None:
 
 
 def signed(*creators: str) -> list[ComparedWork]:
-    return [ComparedWork(f"s{number}", (), name) for number, name in enumerate(creators)]
+    return [ComparedWork(f"s{number}", none_typed(), name) for number, name in enumerate(creators)]
 
 
 def test_a_few_workbooks_with_one_author_are_told() -> None:

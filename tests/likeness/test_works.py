@@ -13,7 +13,8 @@ from gripcourse.grading.model import Finding, Outcome, Report
 from gripcourse.likeness.evidence import find_evidence
 from gripcourse.likeness.flags import flag_of, flags_by_student, odds_in_words
 from gripcourse.likeness.issued import issued_values
-from gripcourse.likeness.model import Evidence, NumberKind, Typed
+from gripcourse.likeness.model import Evidence, NumberKind
+from gripcourse.likeness.typed_numbers import Typed
 from gripcourse.likeness.works import work_of
 from gripcourse.policy.model import LikenessRule, Policy
 from gripcourse.slips.model import SlipId

@@ -2,8 +2,8 @@
 
 import traceback
 from collections.abc import Callable, Sequence
-from dataclasses import replace
 
+from gripcourse.batch.duplicates import with_flags
 from gripcourse.batch.kept_reports import FlagsOf, KeptReports
 from gripcourse.batch.one_file import GradingContext
 from gripcourse.grading.made_for import versions_of
@@ -42,9 +42,7 @@ def mark_likeness(
     except Exception:  # noqa: BLE001 (ours: the marks stand without this evidence)
         return tuple(reports), f"looking for likeness:\n{traceback.format_exc()}"
     marked = (
-        replace(report, flags=(*report.flags, *flags.get(report.student, ())))
-        if report.judged
-        else report
+        with_flags(report, flags.get(report.student, ())) if report.judged else report
         for report in reports
     )
     return tuple(marked), ""

@@ -1,7 +1,7 @@
 """Files of one batch that belong together: several of one student, one of several students."""
 
 from collections import defaultdict
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 
 from gripcourse.grading.model import Flag, FlagCode, Report
@@ -17,10 +17,13 @@ def mark_doubles(reports: Sequence[Report]) -> tuple[Report, ...]:
             by_student[report.student].append(report)
         if report.student and report.digest:
             by_digest[report.digest].append(report)
-    return tuple(
-        replace(report, flags=(*report.flags, *_flags(report, by_student, by_digest)))
-        for report in reports
-    )
+    return tuple(with_flags(one, _flags(one, by_student, by_digest)) for one in reports)
+
+
+def with_flags(report: Report, flags: Iterable[Flag]) -> Report:
+    """Return a report with more flags; itself where there are none, of which a batch has many."""
+    more = tuple(flags)
+    return replace(report, flags=(*report.flags, *more)) if more else report
 
 
 def _flags(

@@ -99,7 +99,7 @@ def grade_files(  # noqa: PLR0913 (the last ones are what everybody leaves as th
                  seconds, kept, pool, shelf)  # fmt: skip
     reports = {**known, **dict(zip(left, new, strict=True))}
     graded = (
-        replace(_graded(file, reports[number], context), taken_over=number in known)
+        _graded(file, reports[number], context, taken_over=number in known)
         for number, file in enumerate(files)
     )
     return compared(tuple(graded), context, kept)
@@ -250,7 +250,9 @@ def compared(
     incidents = [one.incident for one in graded]
     incidents[:1] = [one + trace for one in incidents[:1]]
     return tuple(
-        replace(one, report=report, incident=incident)
+        one
+        if one.report is report and one.incident == incident
+        else replace(one, report=report, incident=incident)
         for one, report, incident in zip(graded, reports, incidents, strict=True)
     )
 
@@ -270,11 +272,14 @@ def _grade_again(pair: tuple[Readable, bytes], context: GradingContext) -> Repor
     return folded(grade_file(file, context, made))
 
 
-def _graded(file: Readable, report: Report | Lost, context: GradingContext) -> Graded:
+def _graded(
+    file: Readable, report: Report | Lost, context: GradingContext, *, taken_over: bool
+) -> Graded:
     if isinstance(report, Lost):
         return _incident(file, context, report.trace)
     # A name need not be text for every system; from here on it is only read by people.
-    return Graded(replace(report, file=shown(report.file)), "")
+    name = shown(report.file)
+    return Graded(report if name == report.file else replace(report, file=name), "", taken_over)
 
 
 def _incident(source: Readable, context: GradingContext, trace: str) -> Graded:

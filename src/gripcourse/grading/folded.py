@@ -69,9 +69,12 @@ class Shelf:
 
         On a full disk they stay in memory, folded.
         """
+        findings = report.findings
+        if isinstance(findings, Folded) and isinstance(findings.held, _Place):
+            return report  # it was put on a shelf before
         report = _with_shared(folded(report), self.register.get(report.student))
         findings = report.findings
-        if not isinstance(findings, Folded) or isinstance(findings.held, _Place):
+        if not isinstance(findings, Folded):
             return report
         place, derived = self._put(findings.held), findings.derived
         if isinstance(derived, bytes) and derived:

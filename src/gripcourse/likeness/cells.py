@@ -35,8 +35,9 @@ class SparseTable:
     def of(cls, shape: tuple[int, int], row: Ints, column: Ints, value: Floats) -> "SparseTable":
         """Put numbers into a table; of several in one cell the last counts."""
         rows, columns = shape
-        known = np.isfinite(value)
-        key, value = _keys(shape, row[known], column[known]), value[known]
+        key, known = _keys(shape, row, column), np.isfinite(value)
+        if not known.all():
+            key, value = key[known], value[known]
         order = np.argsort(key, kind="stable")
         is_last = np.diff(key[order], append=-1) != 0
         order = order[is_last]

@@ -28,6 +28,7 @@ from gripcourse.likeness.matches import (
 from gripcourse.likeness.model import Chances, ComparedWork, Evidence, NumberKind
 from gripcourse.likeness.odds import PairMatches, likely_pairs, log_odds, rests_on
 from gripcourse.likeness.pool import ComparisonPool, SharedMethods, chance_of, pool, shared_methods
+from gripcourse.likeness.typed_numbers import none_typed
 from gripcourse.policy.model import LikenessRule
 
 _LARGEST = 700.0  # logarithm of the largest odds that are told
@@ -58,7 +59,7 @@ def find_evidence(
 
     def usable() -> Iterator[ComparedWork]:
         for work in works:
-            named.append(replace(work, numbers=()))
+            named.append(replace(work, numbers=none_typed()))
             if work.student in known:
                 yield work
 

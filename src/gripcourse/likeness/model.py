@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 from enum import StrEnum
 
-from gripcourse.slips.model import SlipId
+from gripcourse.likeness.typed_numbers import TypedNumbers
 
 
 class NumberKind(StrEnum):
@@ -13,29 +13,6 @@ class NumberKind(StrEnum):
     SAME_ANSWERS = "same_answers"  # answers equal what another student typed
     COPIED_FROM = "copied_from"  # others typed this student's own numbers
     SAME_CREATOR = "same_creator"  # the workbooks name the same author
-
-
-@dataclass(frozen=True, slots=True)
-class Typed:
-    """One number that a student typed.
-
-    Attributes:
-        quantity: id.
-        value: in the declared unit.
-        half_unit: half a unit of the last typed digit, likewise; 0 for a computed number.
-        explained: whether it is right, or follows from the student's own numbers.
-        slip: the wrong method that explains it otherwise; None for none.
-    """
-
-    quantity: str
-    value: float
-    half_unit: float
-    explained: bool
-    slip: SlipId | None
-
-    def __reduce__(self) -> "tuple[type[Typed], tuple[str, float, float, bool, SlipId | None]]":
-        # As findings: half the time that dataclasses take of themselves.
-        return Typed, (self.quantity, self.value, self.half_unit, self.explained, self.slip)
 
 
 @dataclass(frozen=True, slots=True)
@@ -49,7 +26,7 @@ class ComparedWork:
     """
 
     student: str
-    numbers: tuple[Typed, ...]
+    numbers: TypedNumbers
     creator: str
 
 

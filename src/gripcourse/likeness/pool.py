@@ -1,10 +1,8 @@
 """All numbers of all submissions side by side, and what explains each of them without copying."""
 
-import math
 from array import array
-from collections import Counter
-from collections.abc import Container, Iterable, Iterator, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,7 +10,8 @@ from numpy.typing import NDArray
 from gripcourse.likeness.cells import Floats, Ints
 from gripcourse.likeness.issued import IssuedValues
 from gripcourse.likeness.matches import ComparedNumbers, Matches, Spread, density, last_unit
-from gripcourse.likeness.model import Chances, ComparedWork, Typed
+from gripcourse.likeness.model import Chances, ComparedWork
+from gripcourse.likeness.typed_numbers import TypedNumbers
 
 _FILLER = 3  # unexplained cells with the same number: typed to fill them, not computed
 _SAME_RATIO = 1e-3  # relative: as exactly as people type
@@ -31,7 +30,8 @@ class ComparisonPool:
         spread: of its values.
         numbers: what was typed, by submission, then by quantity.
         explained: (numbers,); whether a number says nothing.
-        slip: (numbers,); how common its slip is in the cohort; NaN where there is none.
+        slip: (numbers,); its slip, as a place in what follows; −1 where there is none.
+        common: (slips,); how common each is among those who answered its quantity.
     """
 
     students: tuple[str, ...]
@@ -40,7 +40,8 @@ class ComparisonPool:
     spread: Spread
     numbers: ComparedNumbers
     explained: Flags
-    slip: Floats
+    slip: Ints
+    common: Floats
 
     def part(self, which: slice) -> "ComparisonPool":
         """Return the same students with some of the numbers."""
@@ -55,44 +56,71 @@ class ComparisonPool:
 def pool(works: Iterable[ComparedWork], issued: IssuedValues) -> ComparisonPool:
     """Put the numbers of submissions side by side; all students own a row of issued values.
 
-    Each is looked into once: a number is some two hundred bytes as an object, and forty here.
+    Each is looked into once: it is asked for, and let go when the next one comes.
     """
     rows = {student: row for row, student in enumerate(issued.owners)}
-    columns = issued.columns
+    columns = _Columns(issued.columns)
     students: list[str] = []
-    slips: dict[object, int] = {}
-    wholes, reals = array("i"), array("d")
+    slips: dict[tuple[int, object], int] = {}
+    of_slip = array("i")
+    of_row, of_column, told, values, units = (array(kind) for kind in "iibdd")
     for row, work in enumerate(works):
         students.append(work.student)
-        for one in sorted(
-            (one for one in _without_filler(work.numbers) if _is_comparable(one, columns)),
-            key=lambda one: columns[one.quantity],
-        ):
-            slip = slips.setdefault((one.quantity, one.slip), len(slips)) if one.slip else -1
-            wholes.extend((row, columns[one.quantity], one.explained, slip))
-            reals.extend((one.value, one.half_unit))
-    # Looked at as they lie there: a copy would take as much room again.
-    of_row, column, explained, slip_of = np.frombuffer(wholes, np.int32).reshape(-1, 4).T
-    value, half = np.frombuffer(reals).reshape(-1, 2).T
+        column, usable = columns.of(work.numbers.names), _usable(work.numbers)
+        chosen = np.flatnonzero(usable & (column >= 0))
+        chosen = chosen[np.argsort(column[chosen], kind="stable")]
+        value = work.numbers.values[chosen]
+        slip = np.full(len(usable), -1, dtype=np.int32)
+        for place, one in work.numbers.slips.items():
+            if usable[place] and column[place] >= 0:
+                slip[place] = slips.setdefault((int(column[place]), one), len(slips))
+        of_row.frombytes(np.full(len(chosen), row, dtype=np.int32).tobytes())
+        of_column.frombytes(column[chosen].tobytes())
+        told.frombytes(work.numbers.explained[chosen].tobytes())
+        values.frombytes(value.tobytes())
+        units.frombytes(last_unit(value, work.numbers.half_units[chosen]).tobytes())
+        of_slip.frombytes(slip[chosen].tobytes())
+    column, slip = np.frombuffer(of_column, np.int32), np.frombuffer(of_slip, np.int32)
+    quantity = np.array([place for place, _ in slips], dtype=np.intp)
     return ComparisonPool(
         students=tuple(students),
         own=np.array([rows[student] for student in students], dtype=np.intp),
         issued=issued,
         spread=Spread.of(issued.values),
         numbers=ComparedNumbers(
-            row=of_row,
+            row=np.frombuffer(of_row, np.int32),
             column=column,
-            value=value,
-            unit=last_unit(value, half),
+            value=np.frombuffer(values),
+            unit=np.frombuffer(units),
         ),
-        explained=explained != 0,
-        slip=_slip_shares(column, slip_of),
+        explained=np.frombuffer(told, np.bool_),
+        slip=slip,
+        common=_commonness_of_slips(slip, quantity, column),
     )
 
 
-def _is_comparable(one: Typed, columns: Container[str]) -> bool:
-    """Tell whether a number can say anything: a nought is nobody's."""
-    return one.quantity in columns and one.value != 0 and math.isfinite(one.value)
+@dataclass(frozen=True, slots=True)
+class _Columns:
+    """Columns of quantities; of works that are asked for the same ones they are found once."""
+
+    by_quantity: Mapping[str, int]
+    found: dict[str, NDArray[np.int32]] = field(default_factory=dict)
+
+    def of(self, names: str) -> NDArray[np.int32]:
+        """Return the columns of the quantities of a work; −1 where a variant has none of them."""
+        if names not in self.found:
+            columns = [self.by_quantity.get(one, -1) for one in names.split()]
+            self.found[names] = np.array(columns, dtype=np.int32)
+        return self.found[names]
+
+
+def _usable(numbers: TypedNumbers) -> Flags:
+    """Tell which numbers can say anything: a nought is nobody's, and nor is what fills cells."""
+    value, explained = numbers.values, numbers.explained
+    wrong, counted = np.unique(value[~explained], return_counts=True)
+    filler = wrong[counted >= _FILLER]
+    usable: Flags = (value != 0) & np.isfinite(value)
+    return usable & (explained | ~np.isin(value, filler)) if len(filler) else usable
 
 
 def chance_of(pooled: ComparisonPool, found: Matches, chances: Chances) -> Floats:
@@ -105,8 +133,11 @@ def chance_of(pooled: ComparisonPool, found: Matches, chances: Chances) -> Float
     wrong = np.maximum(np.maximum(near, found.share), chances.least)
     discrete = pooled.issued.discrete[pooled.numbers.column]
     wrong = np.where(discrete, np.maximum(wrong, chances.discrete), wrong)
-    slip = np.maximum(pooled.slip, chances.slip)
-    chance = np.where(np.isnan(slip), wrong, np.maximum(wrong, slip))
+    made = pooled.slip >= 0
+    chance = wrong.copy()
+    chance[made] = np.maximum(
+        wrong[made], np.maximum(pooled.common[pooled.slip[made]], chances.slip)
+    )
     result: Floats = np.where(pooled.explained, 1.0, np.minimum(chance, 1.0))
     return result
 
@@ -140,36 +171,37 @@ class SharedMethods:
 def shared_methods(pooled: ComparisonPool, chances: Chances) -> SharedMethods:
     """Find out how common each mistake is among those who answered its quantity."""
     numbers = pooled.numbers
-    right = pooled.issued.values.at(pooled.own[numbers.row], numbers.column)
-    with np.errstate(divide="ignore", invalid="ignore"):
-        common = _commonness(numbers.column, numbers.value / right)
-    return SharedMethods(pooled, np.maximum(common, chances.shared))
+    likely = np.zeros(len(numbers.value))
+    order = np.argsort(numbers.column, kind="stable").astype(np.int32)
+    ends = np.flatnonzero(np.diff(numbers.column[order])) + 1
+    # One quantity after the other: all of them at once would take as much room again.
+    for mine in np.split(order, ends):
+        right = pooled.issued.values.at(pooled.own[numbers.row[mine]], numbers.column[mine])
+        with np.errstate(divide="ignore", invalid="ignore"):
+            likely[mine] = _commonness(numbers.value[mine] / right)
+    return SharedMethods(pooled, np.maximum(likely, chances.shared, out=likely))
 
 
-def _without_filler(numbers: Sequence[Typed]) -> Iterator[Typed]:
-    wrong = Counter(one.value for one in numbers if not one.explained)
-    return (one for one in numbers if one.explained or wrong[one.value] < _FILLER)
-
-
-def _slip_shares(column: Ints, slip: Ints) -> Floats:
-    """Return which part of those who answered a quantity made the same slip; NaN for no slip.
+def _commonness_of_slips(slip: Ints, quantity: Ints, column: Ints) -> Floats:
+    """Return which part of those who answered a quantity made each slip.
 
     Args:
-        column: (numbers,); the quantity of each.
         slip: (numbers,); each one of a quantity has its own number; −1 for none.
+        quantity: (slips,); the quantity of each.
+        column: (numbers,); the quantity of each.
     """
-    made = np.bincount(slip + 1)[slip + 1]
-    return np.where(slip >= 0, made / np.bincount(column)[column], math.nan)
+    made = np.bincount(slip[slip >= 0], minlength=len(quantity))
+    answered = np.bincount(column, minlength=int(quantity.max(initial=-1)) + 1)
+    return np.asarray(made / answered[quantity])
 
 
-def _commonness(column: Ints, ratio: Floats) -> Floats:
+def _commonness(ratio: Floats) -> Floats:
     """Return which part of a quantity's numbers is off by the same ratio, but for this one."""
     result = np.zeros(len(ratio))
-    for one in np.unique(column):
-        mine = np.flatnonzero((column == one) & np.isfinite(ratio))
-        ordered = np.sort(ratio[mine])
-        reach = np.abs(ratio[mine]) * _SAME_RATIO
-        low = np.searchsorted(ordered, ratio[mine] - reach, "left")
-        high = np.searchsorted(ordered, ratio[mine] + reach, "right")
-        result[mine] = (high - low - 1) / max(len(mine), 1)
+    mine = np.flatnonzero(np.isfinite(ratio))
+    ordered = np.sort(ratio[mine])
+    reach = np.abs(ratio[mine]) * _SAME_RATIO
+    low = np.searchsorted(ordered, ratio[mine] - reach, "left")
+    high = np.searchsorted(ordered, ratio[mine] + reach, "right")
+    result[mine] = (high - low - 1) / max(len(mine), 1)
     return result

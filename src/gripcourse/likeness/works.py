@@ -6,7 +6,8 @@ from typing import Final
 
 from gripcourse.grading.folded import Derivation, derived
 from gripcourse.grading.model import Finding, Report
-from gripcourse.likeness.model import ComparedWork, Typed
+from gripcourse.likeness.model import ComparedWork
+from gripcourse.likeness.typed_numbers import Typed, TypedNumbers
 from gripcourse.slips.model import USED, SlipId
 from gripcourse.variants.model import Issued
 
@@ -28,11 +29,12 @@ def work_of(report: Report, issued: Issued, issuer: str) -> ComparedWork:
         and not math.isclose(value, issued.variant.given[name], rel_tol=_SAME)
     )
     creator = "" if report.creator == issuer else report.creator
-    return ComparedWork(report.student, (*derived(report.findings, TYPED), *changed), creator)
+    numbers = derived(report.findings, TYPED).and_more(changed)
+    return ComparedWork(report.student, numbers, creator)
 
 
-def _typed(findings: Collection[Finding]) -> tuple[Typed, ...]:
-    return tuple(
+def _typed(findings: Collection[Finding]) -> TypedNumbers:
+    return TypedNumbers.of(
         Typed(
             quantity=finding.quantity,
             value=finding.given,

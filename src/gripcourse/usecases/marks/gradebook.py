@@ -105,7 +105,8 @@ def keep(
     for students in _portions(list(places)):
         for student, reports in _kept(keeping, students, places, graded):
             for number, report in zip(places[student], reports, strict=True):
-                kept[number] = replace(graded[number], report=shelf.put(report))
+                if report is not graded[number].report:
+                    kept[number] = replace(graded[number], report=shelf.put(report))
     return tuple(kept)
 
 
