@@ -20,8 +20,13 @@ from gripcourse.policy.model import Policy
 from gripcourse.simulation.cohort import make_classroom
 from gripcourse.simulation.in_memory import judge_one, workbook_of
 from gripcourse.simulation.mix import load_mix
-from gripcourse.usecases.batch_tables import FILES_CSV, GRADES_CSV, GRADES_JSON, write_tables
-from gripcourse.usecases.gradebook import keep
+from gripcourse.usecases.grading.batch_tables import (
+    FILES_CSV,
+    GRADES_CSV,
+    GRADES_JSON,
+    write_tables,
+)
+from gripcourse.usecases.marks.gradebook import keep
 
 STUDENTS: Final = 14
 NOW: Final = datetime(2026, 12, 9, 9, tzinfo=UTC)
