@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING
 
 import pytest
 
+from gripcourse.course.quantity import Kind
 from gripcourse.grading.outcome import Outcome
 from gripcourse.submission.model import Answer, Reading
 
@@ -87,3 +88,25 @@ def test_ten_for_gravity_rounded_far_is_rough_too(drawn: "tuple[Case, ...]") -> 
             answers = {**case.answers, "load_lift": typed("load_lift", coarse, step)}
             said.add(case.without_errata.findings(answers)["load_lift"].outcome)
     assert said == {Outcome.ROUGH}
+
+
+def test_an_entry_of_a_table_that_was_rounded_is_not_one_of_another_row(
+    drawn: "tuple[Case, ...]",
+) -> None:
+    """17 for 16.5 mm; with all digits of another number it is no rounding."""
+    tried = 0
+    for case in drawn:
+        for one in case.plan.answered:
+            right = case.reference.get(one.id, 1.0)
+            figures = float(f"{right:.2g}")
+            if one.kind is not Kind.PICK or not one.exact or one.integer or figures == right:
+                continue
+            digit = 10.0 ** (math.floor(math.log10(right)) - 1)
+            sound = case.without_errata
+            finding = sound.findings({**sound.answers, one.id: typed(one.id, figures, digit)})
+            assert finding[one.id].outcome is Outcome.ROUGH, case.label
+            assert str(finding[one.id].message).endswith("with all its figures.")
+            exactly = typed(one.id, figures, digit * 1e-6)
+            assert sound.findings({**sound.answers, one.id: exactly})[one.id].points == 0
+            tried += 1
+    assert tried

@@ -1,11 +1,12 @@
 """Judging a number that is right but rounded too far: whole millimetres where tenths matter."""
 
+from gripcourse.course.quantity import Kind
 from gripcourse.grading.comparison import Comparison, Judgement, conclude
 from gripcourse.grading.model import Against, Outcome
 from gripcourse.grading.rounding import figure_half_unit
 from gripcourse.policy.bands import SLACK
 from gripcourse.submission.model import Answer
-from gripcourse.text.words import message
+from gripcourse.text.words import Message, message
 
 # Beyond this share of the value a rounded number says too little to earn anything.
 ROUGHEST = 0.05
@@ -27,18 +28,24 @@ def judge_rough(comparison: Comparison) -> Judgement | None:
         if is_rounded_from(comparison, target):
             earns = abs(value - target) <= ROUGHEST * abs(target)
             credit = comparison.policy.rough_credit if earns else 0.0
-            said = message(
-                "Right, but rounded too far: give at least {figures} significant figures.",
-                figures=_figures(comparison, target),
-            )
-            return conclude(comparison, Outcome.ROUGH, against, credit, said)
+            return conclude(comparison, Outcome.ROUGH, against, credit, _said(comparison, target))
     return None
+
+
+def _said(comparison: Comparison, target: float) -> Message:
+    if comparison.quantity.exact:
+        return message("Right, but rounded: write a number of a table with all its figures.")
+    return message(
+        "Right, but rounded too far: give at least {figures} significant figures.",
+        figures=_figures(comparison, target),
+    )
 
 
 def is_rounded_from(comparison: Comparison, target: float) -> bool:
     """Tell whether a number is another one, rounded or cut off where it was typed to end."""
     value, half_unit = comparison.value, comparison.answer.half_unit
-    if value == 0 or comparison.quantity.exact or comparison.quantity.integer:
+    decided = comparison.quantity.exact and comparison.quantity.kind is not Kind.PICK
+    if value == 0 or decided or comparison.quantity.integer:
         return False
     nearest = max(half_unit, _of_zeros(comparison.answer))
     cut = 2 * half_unit * comparison.policy.last_digit if abs(value) < abs(target) else 0.0
