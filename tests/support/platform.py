@@ -90,6 +90,7 @@ class StandIn:
         refuses: users of whom it takes no score.
         asked: how often its keys were fetched.
         down: whether it answers its keys with an error.
+        may_answer: set unless who asks for its keys has to wait.
     """
 
     key: rsa.RSAPrivateKey
@@ -105,6 +106,10 @@ class StandIn:
     assertions: set[str] = field(default_factory=set)
     asked: int = 0
     down: bool = False
+    may_answer: threading.Event = field(default_factory=threading.Event)
+
+    def __post_init__(self) -> None:
+        self.may_answer.set()
 
     def claims(self, hint: str, nonce: str, **changes: Any) -> dict[str, Any]:  # noqa: ANN401
         """Return what it says of somebody; a change to None leaves a claim out."""
@@ -145,6 +150,7 @@ def _answer_get(platform: StandIn, request: BaseHTTPRequestHandler) -> None:
     asked = {name: one[0] for name, one in parse_qs(parts.query).items()}
     if parts.path == "/jwks":
         platform.asked += 1
+        platform.may_answer.wait()
         if platform.down:
             _send(request, 503, b"")
         else:

@@ -14,6 +14,7 @@ from gripcourse.web.app import make_app
 from gripcourse.web.checking import make_checkers
 from gripcourse.web.guard import LARGEST_BODY
 from gripcourse.web.rates import REFUSED_LINKS
+from gripcourse.web.serve import Serving, look_into
 from gripcourse.web.site import Site
 
 if TYPE_CHECKING:
@@ -48,6 +49,15 @@ def test_a_service_names_only_options_that_there_are() -> None:
         options = re.findall(r"--([a-z-]+)", command[1])
         assert len(options) >= 4
         assert set(options) <= set(serve.__annotations__)
+
+
+def test_a_server_may_start_before_anything_was_graded(tmp_path: Path) -> None:
+    graded = tmp_path / "graded"
+    look_into(Serving("127.0.0.1", 0, "", None, graded, 0))
+    assert list(graded.iterdir()) == []
+    assert graded.stat().st_mode & 0o077 == 0
+    with pytest.raises(FileNotFoundError):
+        look_into(Serving("127.0.0.1", 0, "", tmp_path / "issued", graded, 0))
 
 
 def test_the_web_server_before_ours_writes_no_path_and_lets_us_refuse() -> None:

@@ -15,7 +15,8 @@ import pytest
 from starlette.testclient import TestClient
 from starlette.types import ASGIApp
 
-from gripcourse.access.lti.platforms import add_platform, load_platforms
+from gripcourse.access.lti.model import Bond
+from gripcourse.access.lti.platforms import add_platform, load_platforms, platforms_path
 from gripcourse.access.lti.states import MINUTES
 from gripcourse.policy.model import Policy
 from gripcourse.usecases.serving.links import revoke_links
@@ -186,6 +187,19 @@ def test_who_takes_the_address_of_another_is_not_that_student(school: LtiCourse)
     assert school.come(school.client(), "anna").status_code == 303
 
 
+def test_of_two_who_come_at_once_one_is_that_student(school: LtiCourse) -> None:
+    store, one = store_of(school.context), school.declared
+    first, second, elsewhere = (
+        Bond(issuer, one.client_id, user, "s03", "rule", BEGAN)
+        for issuer, user in ((one.issuer, "u1"), (one.issuer, "u2"), ("https://other", "u2"))
+    )
+    # Both found nobody who is that student; what is kept is looked at again when it is added to.
+    assert store.bind(first) is None
+    assert store.bind(second) == first
+    assert store.bind(elsewhere) is None
+    assert set(store.bonds().values()) == {first, elsewhere}
+
+
 def test_who_was_told_once_stays_that_student(
     school: LtiCourse, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -244,6 +258,11 @@ def with_header(**changes: object) -> Callable[[Attempt], str]:
     return token
 
 
+def with_list_as_header(one: Attempt) -> str:
+    _, body, signature = one.token().split(".")
+    return ".".join([base64url(b'["alg", "kid"]'), body, signature])
+
+
 def with_claims(**changes: object) -> Callable[[Attempt], str]:
     def token(one: Attempt) -> str:
         claims = {**one.claims, **changes}
@@ -271,6 +290,7 @@ FORGED: dict[str, tuple[str, Callable[[Attempt], str]]] = {
     "alg_rs512": ("algorithm", with_header(alg="RS512")),
     "asks_for_more": ("form", with_header(crit=["b64"], b64=True)),
     "asks_for_nothing_sensible": ("form", with_header(crit=[None])),
+    "header_as_a_list": ("form", with_list_as_header),
     "key_unknown": ("key", with_header(kid="k9")),
     "key_unnamed": ("key", with_header(kid=None)),
     "key_brought_along": ("key", with_header(kid="mine", jwk={"kty": "RSA"}, jku="https://evil")),
@@ -280,6 +300,8 @@ FORGED: dict[str, tuple[str, Callable[[Attempt], str]]] = {
     "other_audience": ("audience", with_claims(aud="tool-8")),
     "audience_missing": ("audience", with_claims(aud=None)),
     "audience_of_several": ("audience", with_claims(aud=["tool-7", "tool-8"])),
+    "audience_of_several_by_us": ("audience", with_claims(aud=["tool-7", "tool-8"], azp="tool-7")),
+    "audience_empty": ("audience", with_claims(aud=[])),
     "other_party": ("audience", with_claims(aud=["tool-7"], azp="tool-8")),
     "party_in_a_list": ("audience", with_claims(azp=["tool-7"])),
     "expired": ("time", later(exp=-61, iat=-400)),
@@ -301,6 +323,8 @@ FORGED: dict[str, tuple[str, Callable[[Attempt], str]]] = {
         with_claims(**{f"{CLAIM}message_type": "LtiDeepLinkingRequest"}),
     ),
     "nobody": ("claims", with_claims(sub=None)),
+    "nobody_seen": ("claims", with_claims(sub="user-anna\0")),
+    "nobody_of_half_letters": ("claims", with_claims(sub="user-\ud800")),
     "nobody_in_numbers": ("claims", with_claims(sub=7)),
     "long_name": ("claims", with_claims(sub="x" * 256)),
     "roles_in_a_word": ("claims", with_claims(**{f"{CLAIM}roles": TEACHER})),
@@ -532,6 +556,21 @@ def test_a_platform_is_declared_while_the_server_runs(school: LtiCourse) -> None
     assert client.get("/lti/login", params=sent).status_code == 403
     answer = client.get("/lti/login", params={**sent, "client_id": "tool-9"})
     assert "client_id=tool-9" in answer.headers["location"]
+
+
+def test_a_mistake_in_what_is_declared_is_told_to_who_can_mend_it(
+    school: LtiCourse, caplog: pytest.LogCaptureFixture
+) -> None:
+    client, path = school.client(), platforms_path(school.context.course.root)
+    path.write_text(path.read_text("utf-8") + "\n[platform.second\n", encoding="utf-8")
+    answer = client.get(
+        "/lti/login", params={"iss": "https://x"}, headers={"accept-language": "en"}
+    )
+    assert answer.status_code == 503
+    assert "the log of the server says which" in answer.text
+    (entry,) = [one for one in caplog.records if one.name.startswith("gripcourse")]
+    assert entry.getMessage().startswith("private/lti.toml: line ")
+    assert entry.exc_info is None
 
 
 def test_what_is_declared_and_our_key_are_only_their_owners(school: LtiCourse) -> None:

@@ -5,6 +5,7 @@ Requests are looked at in `test_lti`; here the parts that read what came are giv
 
 import json
 from collections.abc import Callable
+from contextlib import AbstractContextManager
 from datetime import UTC, datetime
 from typing import Any, Final
 
@@ -18,6 +19,7 @@ from gripcourse.access.lti.launch import MEMBERS_SCOPE, PlatformRole, read_launc
 from gripcourse.access.lti.platforms import Platform
 from gripcourse.access.lti.refused import LaunchRefusedError, PlatformFailedError
 from gripcourse.access.lti.services import Access, students_of
+from gripcourse.access.lti.web_client import PlatformClient, make_client
 from support.lti_course import declared_as
 from support.platform import CLAIM, StandIn, new_key, public_jwk, signed
 
@@ -42,11 +44,9 @@ JSON: Final = st.recursive(
 quick = settings(max_examples=25, derandomize=True, database=None, deadline=None)
 
 
-def answering(body: Callable[[], bytes]) -> httpx2.Client:
+def answering(body: Callable[[], bytes]) -> AbstractContextManager[PlatformClient]:
     """Return what asks a platform that answers always the same."""
-    return httpx2.Client(
-        transport=httpx2.MockTransport(lambda _: httpx2.Response(200, content=body()))
-    )
+    return make_client(httpx2.MockTransport(lambda _: httpx2.Response(200, content=body())))
 
 
 def keys_of(found: object) -> KeySets:
@@ -111,10 +111,10 @@ def test_a_set_of_keys_of_any_kind_is_understood_or_refused(found: object) -> No
 @given(JSON | st.builds(lambda one: {"members": [one]}, JSON | st.dictionaries(
     st.sampled_from(["user_id", "roles", "status", "name", "email"]), JSON)))  # fmt: skip
 def test_members_of_any_kind_are_named_or_refused(found: object) -> None:
-    client = answering(lambda: json.dumps(found).encode())
-    access = Access(client, PLATFORM, {MEMBERS_SCOPE: "token"})
-    try:
-        people = students_of(access, f"{STAND_IN.address}/members")
-    except PlatformFailedError:
-        return
+    with answering(lambda: json.dumps(found).encode()) as client:
+        access = Access(client, PLATFORM, {MEMBERS_SCOPE: "token"})
+        try:
+            people = students_of(access, f"{STAND_IN.address}/members")
+        except PlatformFailedError:
+            return
     assert all(isinstance(one.user, str) for one in people)

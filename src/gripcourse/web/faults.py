@@ -7,10 +7,11 @@ from starlette.exceptions import HTTPException
 from starlette.requests import ClientDisconnect, Request
 from starlette.responses import Response
 
-from gripcourse.errors import GradebookError
+from gripcourse.errors import CourseError, GradebookError
 from gripcourse.web.guard import TooMuchError
 from gripcourse.web.refusals import (
     WebRefusal,
+    refusal_of_course,
     refusal_of_incident,
     refusal_of_request,
     refusal_of_system,
@@ -36,6 +37,9 @@ def fault_handlers(said: Said) -> Mapping[Any, Any]:
     async def system(request: Request, fault: Exception) -> Response:
         return said(request, refusal_of_system(fault))
 
+    async def unusable(request: Request, fault: Exception) -> Response:
+        return said(request, refusal_of_course(fault))
+
     async def ours(request: Request, fault: Exception) -> Response:
         return said(request, refusal_of_incident(fault))
 
@@ -45,5 +49,6 @@ def fault_handlers(said: Said) -> Mapping[Any, Any]:
         ClientDisconnect: gone,
         OSError: system,
         GradebookError: system,
+        CourseError: unusable,
         Exception: ours,
     }

@@ -7,12 +7,13 @@ its signed answer (`launch`). Nobody is led anywhere but to our own pages, whate
 import logging
 import secrets
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from datetime import timedelta
 from http import HTTPStatus
 from typing import Final
 from urllib.parse import parse_qsl, urlencode
 
+from anyio import CapacityLimiter, to_thread
 from starlette.concurrency import run_in_threadpool
 from starlette.exceptions import HTTPException
 from starlette.requests import Request
@@ -32,6 +33,7 @@ from gripcourse.usecases.serving.lti import NotTold, note_place, store_of, stude
 from gripcourse.usecases.serving.sign_in import offer_sign_in
 from gripcourse.web.guard import content_policy
 from gripcourse.web.pages import notice, page, visitor_words
+from gripcourse.web.queues import Queues
 from gripcourse.web.rates import LAUNCHES, REFUSED_LINKS
 from gripcourse.web.site import Site
 from gripcourse.web.uploads import address_of, count
@@ -105,12 +107,14 @@ class Door:
         address: of the server, as browsers reach it; what a request says of it is not believed.
         keys: of platforms.
         signer: of what browsers bring back.
+        queues: of those who are let in.
     """
 
     site: Site
     address: str
     keys: KeySets
     signer: Signer
+    queues: Queues = field(default_factory=Queues)
 
     @property
     def cookie(self) -> str:
@@ -140,7 +144,8 @@ def lti_routes(site: Site, address: str) -> list[Route]:
 
     async def launch(request: Request) -> Response:
         fields = await _fields(request)
-        return await run_in_threadpool(_enter, door, request, fields)
+        queue = _queue(door, request, fields)
+        return await to_thread.run_sync(_enter, door, request, fields, limiter=queue)
 
     async def keys(_: Request) -> Response:
         published = await run_in_threadpool(public_keys, context.course.root)
@@ -235,6 +240,15 @@ def _own_window(
     response = page(door.site, request, "window", words, values)
     response.headers["Content-Security-Policy"] = content_policy(platform.frames)
     return response
+
+
+def _queue(door: Door, request: Request, fields: Mapping[str, str]) -> CapacityLimiter | None:
+    """Return where somebody waits who makes us ask a platform; None who is refused at once."""
+    browser, state = request.cookies.get(door.cookie, ""), fields.get("state", "")
+    try:
+        return door.queues.of(check_state(door.signer, state, browser, door.site.clock()))
+    except LaunchRefusedError:
+        return None
 
 
 def _enter(door: Door, request: Request, fields: Mapping[str, str]) -> Response:

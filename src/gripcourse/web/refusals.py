@@ -125,6 +125,14 @@ _AWAY: Final = WebRefusal(
     ),
 )
 
+_BADLY_WRITTEN: Final = WebRefusal(
+    Code.TROUBLE,
+    message(
+        "A file of the course cannot be used as it is written now. Tell your instructor: the log of"
+        " the server says which, and where."
+    ),
+)
+
 _BY_STATUS: Final[Mapping[int, WebRefusal]] = {
     one.status: one for one in (NOT_FOUND, NOT_ALLOWED, TOO_LARGE, TOO_OFTEN)
 }
@@ -163,6 +171,12 @@ def refusal_of_system(fault: Exception) -> WebRefusal:
     _log.error("%s", problem.what)
     said = message("{what} Nothing was recorded. Try again later.", what=problem.what)
     return WebRefusal(Code.TROUBLE, said)
+
+
+def refusal_of_course(fault: Exception) -> WebRefusal:
+    """Say, in the log more closely, that a file cannot be used which was changed meanwhile."""
+    _log.error("%s", fault)
+    return _BADLY_WRITTEN
 
 
 def refusal_of_incident(fault: Exception) -> WebRefusal:

@@ -10,6 +10,7 @@ from starlette.routing import Route
 
 from gripcourse.access.lti.platforms import platforms_path
 from gripcourse.errors import Problem, UsageError
+from gripcourse.machine.files import make_private_folder
 from gripcourse.text.words import message
 from gripcourse.usecases.serving.desk import DeskContext
 from gripcourse.web.app import make_app
@@ -51,11 +52,13 @@ def make_site(context: DeskContext, serving: Serving) -> Site:
 
 
 def look_into(serving: Serving) -> None:
-    """Open the folders of what is handed out.
+    """Open the folders of what is handed out; make the one that grading writes, where it is not yet.
 
     Raises:
         OSError: one of them is none.
     """
+    if serving.graded is not None and not serving.graded.exists():
+        make_private_folder(serving.graded)
     for folder in (serving.assignments, serving.graded):
         if folder is not None:
             with os.scandir(folder):

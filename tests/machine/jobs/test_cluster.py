@@ -255,7 +255,12 @@ def test_when_the_scheduler_goes_the_batch_can_be_resumed(story: Story) -> None:
 
 @pytest.mark.parametrize(
     ("address", "said"),
-    [("127.0.0.1:8786", "is no address"), (NOBODY, "No Dask scheduler"), ("tls://[", "No Dask")],
+    [
+        ("127.0.0.1:8786", "is no address"),
+        (NOBODY, "No Dask scheduler"),
+        ("tcp://[", "No Dask"),
+        ("tls://127.0.0.1:1", "write tcp:// instead of tls://"),
+    ],
 )
 def test_what_is_no_scheduler_is_said(
     address: str, said: str, monkeypatch: pytest.MonkeyPatch

@@ -9,12 +9,16 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
+from sqlalchemy import insert
 
+from gripcourse.access.lti import schema
 from gripcourse.access.lti.model import Bond
 from gripcourse.access.lti.platforms import platforms_path
 from gripcourse.access.lti.tool_key import make_tool_key
 from gripcourse.cli import main as cli
 from gripcourse.exports.report_result import GradesResult, ReportResult
+from gripcourse.machine.database.moments import stored
+from gripcourse.machine.database.opening import writing
 from gripcourse.policy.model import Policy
 from gripcourse.usecases.grading.batch_tables import GRADES_CSV, GRADES_JSON
 from gripcourse.usecases.publishing.publish import publish, withdraw
@@ -140,13 +144,16 @@ def test_a_student_whom_two_claim_gets_no_grade(
     release(school, tmp_path, report("s02", 4))
     store, declared = store_of(school.context), school.declared
     key = (declared.issuer, declared.client_id, "user-other")
-    store.add_bond(Bond(*key, "s02", "race", BEGAN))
+    row = dict(zip(("issuer", "client", "user"), key, strict=True))
+    row |= {"course": store.course, "student": "s02", "by": "an earlier program"}
+    with writing(store.engine) as connection:
+        connection.execute(insert(schema.bonds), row | {"at": stored(BEGAN)})
     try:
         said = run("send-grades")
         assert "s02: not sent. Several users of the platform are this student." in said
         assert school.platform.scores == []
     finally:
-        store.add_bond(Bond(*key, "", "race", BEGAN))
+        store.bind(Bond(*key, "", "race", BEGAN))
 
 
 def test_a_platform_that_does_not_know_our_key_gets_nothing(

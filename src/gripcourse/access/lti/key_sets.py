@@ -3,69 +3,104 @@
 import threading
 import time
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
-from functools import lru_cache
+from contextlib import AbstractContextManager
+from dataclasses import dataclass, field, replace
 from typing import Final
 
-import httpx2
 from joserfc.errors import JoseError
 from joserfc.jwk import RSAKey
 
 from gripcourse.access.lti.refused import LaunchRefusal, LaunchRefusedError, PlatformFailedError
-from gripcourse.access.lti.web_client import PlatformQuestion, ask
+from gripcourse.access.lti.web_client import PlatformClient, PlatformQuestion, ask
 
 KEPT_SECONDS: Final = 3600.0
 _APART_SECONDS: Final = 20.0
-"""Whoever sends tokens of unknown keys makes us ask the platform no more often than that."""
+"""Whoever sends tokens that no known key signed makes us ask the platform no more often."""
 
 ALGORITHM: Final = "RS256"
 """The one that the standard asks of everybody; no other is accepted, whatever a token says."""
 
 _MOST_KEYS: Final = 50
-_LEAST_BITS: Final = 2048
+_BITS: Final = range(2048, 8193)
+_LONGEST_NUMBER: Final = 2000
+"""Letters of a number of a key: the largest has 1366."""
 
 
 @dataclass(frozen=True, slots=True)
 class _Kept:
-    keys: Mapping[str, RSAKey] | None  # None where the platform did not answer
-    at: float
+    """The keys of one platform, as they came last.
+
+    Attributes:
+        keys: none where the platform never answered, or not for an hour.
+        came: when they came.
+        tried: when they were asked for last.
+    """
+
+    keys: Mapping[str, RSAKey] | None
+    came: float
+    tried: float
+
+
+@dataclass(slots=True, eq=False)
+class _KeyPlace:
+    """What is kept of one address; whoever asks there keeps nobody from another one."""
+
+    lock: threading.Lock = field(default_factory=threading.Lock)
+    kept: _Kept | None = None
 
 
 class KeySets:
     """The keys of platforms; safe between threads."""
 
     def __init__(
-        self, make: Callable[[], httpx2.Client], clock: Callable[[], float] = time.monotonic
+        self,
+        make: Callable[[], AbstractContextManager[PlatformClient]],
+        clock: Callable[[], float] = time.monotonic,
     ) -> None:
-        self._client = lru_cache(maxsize=1)(make)  # made when somebody comes
+        self._make = make  # when it is asked, which is once an hour
         self._clock = clock
         self._lock = threading.Lock()
-        self._kept: dict[str, _Kept] = {}
+        self._places: dict[str, _KeyPlace] = {}
 
-    def key(self, url: str, key_id: str) -> RSAKey:
+    def key(self, url: str, key_id: str, wrong: RSAKey | None = None) -> RSAKey:
         """Return a key of the set at an address.
+
+        Args:
+            url: address of the set; only declared ones come here.
+            key_id: its name.
+            wrong: what this returned before, and did not sign what it should have: there may be
+                another key of that name by now.
 
         Raises:
             LaunchRefusedError: the set cannot be had, or has no such key.
         """
         with self._lock:
-            kept, now = self._kept.get(url), self._clock()
-            if kept is None or self._is_due(kept, key_id, now):
-                kept = self._kept[url] = _Kept(self._fetched(url), now)
+            place = self._places.setdefault(url, _KeyPlace())
+        with place.lock:
+            kept, now = place.kept, self._clock()
+            known = None if kept is None or kept.keys is None else kept.keys.get(key_id)
+            doubted = known is None or known is wrong
+            if kept is None or now - (kept.tried if doubted else kept.came) > _limit(doubted):
+                kept = place.kept = self._renewed(url, kept, now)
         if kept.keys is None:
             raise LaunchRefusedError(LaunchRefusal.KEYS)
         if key_id not in kept.keys:
             raise LaunchRefusedError(LaunchRefusal.KEY)
         return kept.keys[key_id]
 
-    def _is_due(self, kept: _Kept, key_id: str, now: float) -> bool:
-        age = now - kept.at
-        known = kept.keys is not None and key_id in kept.keys
-        return age > (KEPT_SECONDS if known else _APART_SECONDS)
+    def _renewed(self, url: str, kept: _Kept | None, now: float) -> _Kept:
+        """Ask for the keys; where they do not come, the former stay as long as they would have."""
+        found = self._fetched(url)
+        if found is not None:
+            return _Kept(found, now, now)
+        if kept is None or now - kept.came > KEPT_SECONDS:
+            return _Kept(None, now, now)
+        return replace(kept, tried=now)
 
     def _fetched(self, url: str) -> Mapping[str, RSAKey] | None:
         try:
-            content = ask(self._client(), PlatformQuestion(url)).content
+            with self._make() as client:
+                content = ask(client, PlatformQuestion(url)).content
         except PlatformFailedError:
             return None
         match content:
@@ -74,15 +109,22 @@ class KeySets:
         return None
 
 
+def _limit(doubted: bool) -> float:  # noqa: FBT001 (a word that is said of a key)
+    """Return how old what was asked may be."""
+    return _APART_SECONDS if doubted else KEPT_SECONDS
+
+
 def _signing_key(found: object) -> tuple[str, RSAKey] | None:
     """Read a key that verifies signatures; None for one of another kind, or too short."""
     match found:
         case {"kty": "RSA", "kid": str(key_id), "n": str(n), "e": str(e), **more}:
             if more.get("use", "sig") != "sig" or more.get("alg", ALGORITHM) != ALGORITHM:
                 return None
+            if max(len(n), len(e)) > _LONGEST_NUMBER:
+                return None
             try:
                 key = RSAKey.import_key({"kty": "RSA", "n": n, "e": e})
             except (JoseError, ValueError):
                 return None
-            return (key_id, key) if key.public_key.key_size >= _LEAST_BITS else None
+            return (key_id, key) if key.public_key.key_size in _BITS else None
     return None

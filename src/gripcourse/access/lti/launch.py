@@ -9,9 +9,10 @@ from typing import Any, Final
 
 from joserfc import jws, jwt
 from joserfc.errors import BadSignatureError, JoseError
+from joserfc.jwk import RSAKey
 
 from gripcourse.access.lti.key_sets import ALGORITHM, KeySets
-from gripcourse.access.lti.platforms import Platform, is_safe
+from gripcourse.access.lti.platforms import Platform, is_of_platform
 from gripcourse.access.lti.refused import LaunchRefusal, LaunchRefusedError
 
 SCORE_SCOPE: Final = "https://purl.imsglobal.org/spec/lti-ags/scope/score"
@@ -111,7 +112,7 @@ def read_launch(token: str, platform: Platform, keys: KeySets, nonce: str, now: 
             role=role_of(claims.get(f"{_CLAIM}roles")),
             context=_context(claims, platform),
             link=_text(_table(claims, f"{_CLAIM}resource_link"), "id", required=True),
-            services=_services(claims),
+            services=_services(claims, platform),
         )
     except LaunchRefusedError as fault:
         raise LaunchRefusedError(fault.refused, platform.name, fault.context) from fault
@@ -154,20 +155,38 @@ def _signed(token: str, platform: Platform, keys: KeySets) -> dict[str, Any]:
     """Return what is said in a token, after its signature was verified."""
     if not token or len(token) > _LONGEST_TOKEN:
         raise LaunchRefusedError(LaunchRefusal.FORM)
+    key_id = _key_id(token)
+    key = keys.key(platform.jwks_url, key_id)
     try:
-        header = jws.extract_compact(token.encode()).headers()
+        return _verified(token, key)
+    except LaunchRefusedError as fault:
+        if fault.refused is not LaunchRefusal.SIGNATURE:
+            raise
+        another = keys.key(platform.jwks_url, key_id, wrong=key)
+        if another is key:
+            raise
+    return _verified(token, another)
+
+
+def _key_id(token: str) -> str:
+    """Return by which key a token says that it is signed; nothing of this is believed yet."""
+    try:
+        header: object = jws.extract_compact(token.encode()).headers()
     except (JoseError, ValueError) as fault:
         raise LaunchRefusedError(LaunchRefusal.FORM) from fault
+    # What has to be understood beyond the standard is none of ours; the library stumbles over it.
+    if not isinstance(header, dict) or "crit" in header:
+        raise LaunchRefusedError(LaunchRefusal.FORM)
     # Before any key is looked for: a public key is no secret to compute a signature with.
     if header.get("alg") != ALGORITHM:
         raise LaunchRefusedError(LaunchRefusal.ALGORITHM)
-    # What has to be understood beyond the standard is none of ours; the library stumbles over it.
-    if "crit" in header:
-        raise LaunchRefusedError(LaunchRefusal.FORM)
     key_id = header.get("kid")
     if not isinstance(key_id, str):
         raise LaunchRefusedError(LaunchRefusal.KEY)
-    key = keys.key(platform.jwks_url, key_id)
+    return key_id
+
+
+def _verified(token: str, key: RSAKey) -> dict[str, Any]:
     try:
         return jwt.decode(token, key, algorithms=[ALGORITHM]).claims
     except BadSignatureError as fault:
@@ -182,9 +201,9 @@ def _check_envelope(claims: Mapping[str, Any], platform: Platform, nonce: str, n
     audience = claims.get("aud")
     audiences = audience if isinstance(audience, list) else [audience]
     party = claims.get("azp")
-    if platform.client_id not in audiences or party not in (None, platform.client_id):
-        raise LaunchRefusedError(LaunchRefusal.AUDIENCE)
-    if len(audiences) > 1 and party is None:
+    # Nobody besides us is trusted: what is made for others too could be brought here by them.
+    ours = audiences and all(one == platform.client_id for one in audiences)
+    if not ours or party not in (None, platform.client_id):
         raise LaunchRefusedError(LaunchRefusal.AUDIENCE)
     issued, expires = _seconds(claims, "iat"), _seconds(claims, "exp")
     begins = _seconds(claims, "nbf") if "nbf" in claims else issued
@@ -213,24 +232,24 @@ def _context(claims: Mapping[str, Any], platform: Platform) -> str:
     return context
 
 
-def _services(claims: Mapping[str, Any]) -> Services:
+def _services(claims: Mapping[str, Any], platform: Platform) -> Services:
     grades, members = _table(claims, _GRADES), _table(claims, _MEMBERS)
     scopes = grades.get("scope")
     allowed = scopes if isinstance(scopes, list) else []
     return Services(
-        line_item=_service(grades, "lineitem") if SCORE_SCOPE in allowed else "",
-        line_items=_service(grades, "lineitems")
+        line_item=_service(grades, "lineitem", platform) if SCORE_SCOPE in allowed else "",
+        line_items=_service(grades, "lineitems", platform)
         if {SCORE_SCOPE, LINE_ITEM_SCOPE} <= {str(one) for one in allowed}
         else "",
-        members=_service(members, "context_memberships_url"),
+        members=_service(members, "context_memberships_url", platform),
     )
 
 
-def _service(table: Mapping[str, Any], name: str) -> str:
+def _service(table: Mapping[str, Any], name: str, platform: Platform) -> str:
     address = table.get(name)
-    if not isinstance(address, str) or len(address) > _LONGEST_ADDRESS or not is_safe(address):
+    if not isinstance(address, str) or len(address) > _LONGEST_ADDRESS:
         return ""
-    return address
+    return address if is_of_platform(platform, address) else ""
 
 
 def _seconds(claims: Mapping[str, Any], name: str) -> float:
@@ -259,6 +278,7 @@ def _text(table: Mapping[str, Any], name: str, *, required: bool = False) -> str
     value = table.get(name)
     if not isinstance(value, str):
         value = ""
-    if (required and not value) or len(value) > _LONGEST_TEXT:
+    # An id is kept and looked up letter by letter.
+    if (required and not (value and value.isprintable())) or len(value) > _LONGEST_TEXT:
         raise LaunchRefusedError(LaunchRefusal.CLAIMS)
     return value

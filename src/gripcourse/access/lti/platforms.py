@@ -129,6 +129,12 @@ def is_safe(address: str) -> bool:
     return parts.scheme == "https" or (parts.scheme == "http" and _is_this_machine(host))
 
 
+def is_of_platform(platform: Platform, address: str) -> bool:
+    """Tell whether a platform may name an address of its own; one by https names none without."""
+    plain = platform.token_url.startswith("http://")
+    return is_safe(address) and (plain or address.startswith("https://"))
+
+
 def origin_of(address: str) -> str:
     """Return scheme, host and port of an address."""
     parts = urlsplit(address)

@@ -8,7 +8,6 @@ from datetime import datetime
 from typing import Any, Final
 from urllib.parse import urlencode, urlsplit, urlunsplit
 
-import httpx2
 from joserfc import jwt
 from joserfc.jwk import KeySet
 
@@ -21,9 +20,9 @@ from gripcourse.access.lti.launch import (
     PlatformRole,
     role_of,
 )
-from gripcourse.access.lti.platforms import Platform
+from gripcourse.access.lti.platforms import Platform, is_of_platform, origin_of
 from gripcourse.access.lti.refused import LaunchRefusedError, PlatformFailedError
-from gripcourse.access.lti.web_client import PlatformAnswer, PlatformQuestion, ask
+from gripcourse.access.lti.web_client import PlatformAnswer, PlatformClient, PlatformQuestion, ask
 from gripcourse.text.words import message
 
 _ASSERTION: Final = "urn:ietf:params:oauth:client-assertion-type:jwt-bearer"
@@ -32,7 +31,7 @@ _LINE_ITEM: Final = "application/vnd.ims.lis.v2.lineitem+json"
 _LINE_ITEMS: Final = "application/vnd.ims.lis.v2.lineitemcontainer+json"
 _MEMBERS: Final = "application/vnd.ims.lti-nrps.v2.membershipcontainer+json"
 _ASSERTION_SECONDS: Final = 60
-_MOST_PAGES: Final = 100
+_MOST_PAGES: Final = 1000
 
 
 @dataclass(frozen=True, slots=True)
@@ -55,7 +54,7 @@ class Score:
 class Access:
     """What a platform lets us do for a while, by the scope that was asked for."""
 
-    client: httpx2.Client
+    client: PlatformClient
     platform: Platform
     tokens: Mapping[str, str]
 
@@ -65,7 +64,7 @@ class Access:
 
 
 def open_access(
-    client: httpx2.Client,
+    client: PlatformClient,
     platform: Platform,
     keys: KeySet,
     scopes: Iterable[str],
@@ -174,22 +173,34 @@ def _student(member: object) -> Person | None:
                     return None
             except LaunchRefusedError:
                 return None
-            names = ("name", "email", "lis_person_sourcedid")
-            name, email, sourcedid = (str(more.get(key) or "") for key in names)
+            said = (more.get(key) for key in ("name", "email", "lis_person_sourcedid"))
+            name, email, sourcedid = (one if isinstance(one, str) else "" for one in said)
             return Person(user, name, email, sourcedid)
     return None
 
 
 def _pages(access: Access, scope: str, address: str, kind: str) -> Iterable[PlatformAnswer]:
-    for _ in range(_MOST_PAGES):
+    """Return page by page; all of them, or it fails.
+
+    Raises:
+        PlatformFailedError: the pages come from elsewhere, go round in a circle, or never end.
+    """
+    home, seen = origin_of(address), set[str]()
+    while address:
+        # The address of a page is signed by nobody, and whoever is asked there gets our access.
+        if not is_of_platform(access.platform, address) or origin_of(address) != home:
+            raise PlatformFailedError(message("The platform named a page on another machine."))
+        if address in seen or len(seen) == _MOST_PAGES:
+            raise PlatformFailedError(message("The pages of the platform do not end."))
+        seen.add(address)
         page = ask(access.client, PlatformQuestion(address, "GET", _headers(access, scope, kind)))
         yield page
         address = page.next_page
-        if not address:
-            return
 
 
 def _post(access: Access, scope: str, address: str, kind: str, sent: object) -> PlatformAnswer:
+    if not is_of_platform(access.platform, address):
+        raise PlatformFailedError(message("The platform named an address that is not by https."))
     headers = {**_headers(access, scope, kind), "Content-Type": kind}
     body = json.dumps(sent, ensure_ascii=False, allow_nan=False).encode()
     return ask(access.client, PlatformQuestion(address, "POST", headers, body=body))

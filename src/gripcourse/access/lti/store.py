@@ -1,12 +1,13 @@
 """What is kept of platforms, in the database: rows are added, nothing is changed or removed."""
 
 import hashlib
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
 from dataclasses import asdict, dataclass, replace
 from datetime import datetime
-from typing import TYPE_CHECKING, Any, TypeVar
+from typing import TYPE_CHECKING, TypeVar
 
-from sqlalchemy import Engine, Table, insert, select
+from sqlalchemy import Connection, Engine, Table, insert, select
 
 from gripcourse.access.kept_rows import values_of
 from gripcourse.access.lti import schema
@@ -43,21 +44,32 @@ class LtiStore:
         digest = hashlib.sha256(state.encode()).hexdigest()
         row = {"state": digest, "course": self.course, "at": stored(now)}
         try:
-            self._insert(schema.used_states, row)
+            with self._written() as connection:
+                connection.execute(insert(schema.used_states), row)
         except GradebookError as fault:
             if another_was_faster(fault):
                 return False
             raise
         return True
 
-    def add_bond(self, bond: Bond) -> None:
-        """Keep that a user is a student; the last word counts."""
-        self._add(schema.bonds, bond)
+    def bind(self, bond: Bond) -> Bond | None:
+        """Keep that a user is a student, or nobody; the last word counts.
+
+        Returns:
+            None where it is kept; whose student that is already, where another user of the same
+            platform is. Both is one transaction: of two who come at once, one is the student.
+        """
+        with self._written() as connection:
+            for other in self._bonds(connection).values():
+                if bond.student == other.student and _is_another(other.key, bond.key):
+                    return other
+            self._add_by(connection, schema.bonds, bond)
+        return None
 
     def bonds(self) -> Mapping[UserKey, Bond]:
         """Return what holds now, by user."""
-        last = {one.key: one for one in self._rows(schema.bonds, Bond)}
-        return {key: one for key, one in last.items() if one.student}
+        with self._read() as connection:
+            return self._bonds(connection)
 
     def add_stranger(self, stranger: Stranger) -> None:
         """Keep that somebody could not be told to be a student; the same again is not kept."""
@@ -92,20 +104,43 @@ class LtiStore:
         return self._rows(schema.sent_scores, SentScore)
 
     def _add(self, table: Table, one: "DataclassInstance") -> None:
-        row = asdict(one)
-        self._insert(table, {**row, "course": self.course, "at": stored(row["at"])})
+        with self._written() as connection:
+            self._add_by(connection, table, one)
 
-    def _insert(self, table: Table, row: Mapping[str, Any]) -> None:
-        place = without_password(self.engine.url)
-        with refusals_named(place), writing(self.engine) as connection:
-            connection.execute(insert(table), row)
+    def _add_by(self, connection: Connection, table: Table, one: "DataclassInstance") -> None:
+        row = asdict(one)
+        values = {**row, "course": self.course, "at": stored(row["at"])}
+        connection.execute(insert(table), values)
+
+    def _bonds(self, connection: Connection) -> Mapping[UserKey, Bond]:
+        last = {one.key: one for one in self._rows_by(connection, schema.bonds, Bond)}
+        return {key: one for key, one in last.items() if one.student}
 
     def _rows(self, table: Table, make: Callable[..., _Made]) -> tuple[_Made, ...]:
+        with self._read() as connection:
+            return self._rows_by(connection, table, make)
+
+    def _rows_by(
+        self, connection: Connection, table: Table, make: Callable[..., _Made]
+    ) -> tuple[_Made, ...]:
         question = select(table).where(table.c.course == self.course).order_by(table.c.number)
-        place = without_password(self.engine.url)
-        with refusals_named(place), self.engine.connect() as connection:
-            found = connection.execute(question).mappings()
-            return tuple(make(**values_of(row, "number", "course")) for row in found)
+        found = connection.execute(question).mappings()
+        return tuple(make(**values_of(row, "number", "course")) for row in found)
+
+    @contextmanager
+    def _read(self) -> Iterator[Connection]:
+        with refusals_named(without_password(self.engine.url)), self.engine.connect() as connection:
+            yield connection
+
+    @contextmanager
+    def _written(self) -> Iterator[Connection]:
+        with refusals_named(without_password(self.engine.url)), writing(self.engine) as connection:
+            yield connection
+
+
+def _is_another(one: UserKey, other: UserKey) -> bool:
+    """Tell whether these are two users of the same platform."""
+    return one != other and (one.issuer, one.client) == (other.issuer, other.client)
 
 
 def _where(place: PlatformPlace) -> tuple[str, str, str, str]:

@@ -1,12 +1,15 @@
 """Asking a platform: bounded in time and size, never led elsewhere."""
 
 import json
-import time
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import Any, Final
+from urllib.parse import urljoin
 
 import httpx2
+from anyio import fail_after
+from anyio.from_thread import BlockingPortal, start_blocking_portal
 
 from gripcourse.access.lti.platforms import is_safe
 from gripcourse.access.lti.refused import PlatformFailedError
@@ -45,48 +48,105 @@ class PlatformAnswer:
     next_page: str
 
 
-def make_client() -> httpx2.Client:
-    """Make what asks; it goes nowhere by itself, and to this machine without a proxy."""
+@dataclass(frozen=True, slots=True)
+class PlatformClient:
+    """What asks platforms: a client with a thread of its own, in which a question can be dropped.
+
+    A limit of silence alone is none: a head that comes letter by letter is never silent.
+
+    Attributes:
+        client: speaks HTTP.
+        portal: the thread.
+        seconds: how long an answer may take as a whole.
+    """
+
+    client: httpx2.AsyncClient
+    portal: BlockingPortal
+    seconds: float
+
+
+@contextmanager
+def make_client(
+    transport: httpx2.AsyncBaseTransport | None = None, seconds: float = _SECONDS
+) -> Iterator[PlatformClient]:
+    """Make what asks; it goes nowhere by itself, and to this machine without a proxy.
+
+    Args:
+        transport: what carries the questions; None for the network.
+        seconds: how long an answer may take as a whole.
+    """
     here = dict.fromkeys(("all://127.0.0.1", "all://localhost"))
-    return httpx2.Client(
-        timeout=_SECONDS_OF_SILENCE, follow_redirects=False, mounts=here, verify=True
-    )
+    with start_blocking_portal() as portal:
+        client = httpx2.AsyncClient(
+            timeout=_SECONDS_OF_SILENCE,
+            follow_redirects=False,
+            mounts=here if transport is None else None,
+            transport=transport,
+            verify=True,
+        )
+        try:
+            yield PlatformClient(client, portal, seconds)
+        finally:
+            portal.call(client.aclose)
 
 
-def ask(client: httpx2.Client, asked: PlatformQuestion) -> PlatformAnswer:
+def ask(client: PlatformClient, asked: PlatformQuestion) -> PlatformAnswer:
     """Ask a platform.
 
     Raises:
-        PlatformFailedError: it cannot be reached, refuses, or answers something else than JSON.
+        PlatformFailedError: it cannot be reached, refuses, takes too long, or answers something
+            else than JSON.
     """
     if not is_safe(asked.url):
         raise PlatformFailedError(message("The platform named an address that is not by https."))
     try:
-        with client.stream(
-            asked.method,
-            asked.url,
-            headers=dict(asked.headers or {}),
-            data=None if asked.fields is None else dict(asked.fields),
-            content=asked.body,
-        ) as response:
-            body = _bounded(response)
-            following = response.links.get("next", {}).get("url", "")
-            status = response.status_code
+        return client.portal.call(_answered, client, asked)
+    except TimeoutError as fault:
+        raise _too_much() from fault
     except (httpx2.HTTPError, httpx2.InvalidURL) as fault:
         said = message("The platform cannot be reached: {fault}.", fault=type(fault).__name__)
         raise PlatformFailedError(said) from fault
-    if status not in _DONE:
-        raise PlatformFailedError(message("The platform answered {status}.", status=str(status)))
-    return PlatformAnswer(_plain(body), following)
 
 
-def _bounded(response: httpx2.Response) -> bytes:
-    ends, body = time.monotonic() + _SECONDS, b""
-    for part in response.iter_bytes():
+async def _answered(client: PlatformClient, asked: PlatformQuestion) -> PlatformAnswer:
+    with fail_after(client.seconds):
+        async with client.client.stream(
+            asked.method,
+            asked.url,
+            headers={**(asked.headers or {}), "Accept-Encoding": "identity"},
+            data=None if asked.fields is None else dict(asked.fields),
+            content=asked.body,
+        ) as response:
+            body = await _bounded(response)
+    if response.status_code not in _DONE:
+        status = str(response.status_code)
+        raise PlatformFailedError(message("The platform answered {status}.", status=status))
+    return PlatformAnswer(_plain(body), _next_page(response, asked.url))
+
+
+async def _bounded(response: httpx2.Response) -> bytes:
+    # Not as we asked: what was packed may be a thousand times as large when it is unpacked.
+    if response.headers.get("content-encoding", "identity") != "identity":
+        raise _too_much()
+    body = b""
+    async for part in response.aiter_bytes():
         body += part
-        if len(body) > _LARGEST or time.monotonic() > ends:
-            raise PlatformFailedError(message("The platform answered too much or too slowly."))
+        if len(body) > _LARGEST:
+            raise _too_much()
     return body
+
+
+def _next_page(response: httpx2.Response, asked: str) -> str:
+    following = response.links.get("next", {}).get("url", "")
+    try:
+        return urljoin(asked, following) if following else ""
+    except ValueError as fault:
+        said = message("The platform named an address that is not by https.")
+        raise PlatformFailedError(said) from fault
+
+
+def _too_much() -> PlatformFailedError:
+    return PlatformFailedError(message("The platform answered too much or too slowly."))
 
 
 def _plain(body: bytes) -> Any:  # noqa: ANN401 (whatever JSON holds)

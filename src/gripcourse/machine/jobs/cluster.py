@@ -17,6 +17,7 @@ from threading import Event, Thread
 from typing import TYPE_CHECKING, Any, Final
 
 from gripcourse.errors import Problem, UsageError
+from gripcourse.machine.jobs.certificates import demand_certificates
 from gripcourse.machine.jobs.gang import (
     Gang,
     GangOrder,
@@ -229,19 +230,19 @@ def _gang(packed: bytes) -> Gang:
 
 
 def _connected(address: str) -> "Client":
-    from distributed import Client, Security
+    from distributed import Client
 
     if not address.startswith(("tcp://", "tls://")):
         what = message("'{address}' is no address of a Dask scheduler.", address=address)
         remedy = message("Write tcp://HOST:PORT, or tls://HOST:PORT.")
         raise UsageError([Problem("", "", what, remedy, parameter="cluster")])
+    if address.startswith("tls://"):
+        # Before a client is made, which would try to say good-bye for long.
+        demand_certificates(address)
     try:
         with warnings.catch_warnings():
             # Other versions are refused by us, with names.
             warnings.simplefilter("ignore")
-            if address.startswith("tls://"):
-                # Before a client is made, which would try to say good-bye for long.
-                _demand_certificates(Security().get_connection_args("client"))
             return Client(address, timeout=_TO_CONNECT, set_as_default=False)
     except (OSError, ValueError, TypeError, RuntimeError) as fault:
         what = message(
@@ -249,15 +250,8 @@ def _connected(address: str) -> "Client":
             address=address,
             reason=" ".join(str(fault).split()) or type(fault).__name__,
         )
-        remedy = message(
-            "Start it, or name its address as it prints it; tls:// needs certificates."
-        )
+        remedy = message("Start it, or name its address as it prints it.")
         raise UsageError([Problem("", "", what, remedy, parameter="cluster")]) from fault
-
-
-def _demand_certificates(connection: Mapping[str, Any]) -> None:
-    if connection.get("ssl_context") is None:
-        raise ValueError("distributed.comm.tls.client.cert, distributed.comm.tls.client.key")
 
 
 def _fit_workers(client: "Client", address: str) -> int:

@@ -5,8 +5,6 @@ from dataclasses import dataclass
 from datetime import datetime
 from enum import StrEnum
 
-import httpx2
-
 from gripcourse.access.lti.launch import LINE_ITEM_SCOPE, SCORE_SCOPE
 from gripcourse.access.lti.model import Bond, PlatformPlace, SentScore
 from gripcourse.access.lti.platforms import Platform
@@ -14,6 +12,7 @@ from gripcourse.access.lti.refused import PlatformFailedError
 from gripcourse.access.lti.services import Access, Score, line_item_of, open_access, send_score
 from gripcourse.access.lti.store import LtiStore
 from gripcourse.access.lti.tool_key import read_tool_keys
+from gripcourse.access.lti.web_client import PlatformClient
 from gripcourse.course.model import Course
 from gripcourse.errors import Problem, UsageError
 from gripcourse.exports.report_result import ReportResult
@@ -61,7 +60,7 @@ class ScoreOrder:
 
 
 def send_grades(
-    context: DeskContext, client: httpx2.Client, wanted: ScoreOrder, now: datetime
+    context: DeskContext, client: PlatformClient, wanted: ScoreOrder, now: datetime
 ) -> Iterator[Sending]:
     """Send what is published and is not there yet, student by student.
 

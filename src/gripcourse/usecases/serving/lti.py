@@ -71,10 +71,13 @@ def student_of(context: DeskContext, launch: Launch, now: datetime) -> Issued | 
         return _not_told(store, key, launch.person, found, now)
     if found not in register:
         return _not_told(store, key, launch.person, NotTold.UNKNOWN, now)
-    if any(_holds(one, key, found) for one in bonds.values()):
-        return _not_told(store, key, launch.person, NotTold.TAKEN, now)
     if bond is None:
-        store.add_bond(Bond(key.issuer, key.client, key.user, found, "rule", now))
+        made = Bond(key.issuer, key.client, key.user, found, "rule", now)
+        is_taken = store.bind(made) is not None
+    else:
+        is_taken = any(_holds(one, key, found) for one in bonds.values())
+    if is_taken:
+        return _not_told(store, key, launch.person, NotTold.TAKEN, now)
     return register[found]
 
 
@@ -107,12 +110,11 @@ def bind(
         what = message("The register has no student '{student}'.", student=student)
         remedy = message("Name a student by the id of the roster.")
         raise UsageError([Problem("", "", what, remedy, parameter="student")])
-    others = [one for one in store.bonds().values() if student and _holds(one, key, student)]
-    if others:
-        what = message("The platform's user {user} is this student.", user=others[0].user)
+    other = store.bind(Bond(key.issuer, key.client, user, student, by, now))
+    if other is not None:
+        what = message("The platform's user {user} is this student.", user=other.user)
         remedy = message("Let that one be nobody first.")
         raise UsageError([Problem("", "", what, remedy, parameter="student")])
-    store.add_bond(Bond(key.issuer, key.client, user, student, by, now))
 
 
 def chosen_platform(root: Path, name: str) -> Platform:

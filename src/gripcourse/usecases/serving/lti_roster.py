@@ -4,22 +4,22 @@ from collections.abc import Sequence
 from datetime import datetime
 from pathlib import Path
 
-import httpx2
-
 from gripcourse.access.lti.launch import MEMBERS_SCOPE, Person
 from gripcourse.access.lti.platforms import Platform
 from gripcourse.access.lti.services import open_access, students_of
 from gripcourse.access.lti.tool_key import read_tool_keys
+from gripcourse.access.lti.web_client import PlatformClient
 from gripcourse.errors import Problem, UsageError
 from gripcourse.exports.csv_text import table_text, text_cell
 from gripcourse.machine.files import write_bytes
+from gripcourse.text.shown import one_line
 from gripcourse.text.words import message
 from gripcourse.usecases.serving.desk import DeskContext
 from gripcourse.usecases.serving.lti import store_of
 
 
 def fetch_roster(
-    context: DeskContext, client: httpx2.Client, platform: Platform, now: datetime
+    context: DeskContext, client: PlatformClient, platform: Platform, now: datetime
 ) -> tuple[Person, ...]:
     """Return the students of the platform's courses that are declared.
 
@@ -50,8 +50,12 @@ def write_roster(people: Sequence[Person], path: Path) -> None:
         OSError: the file cannot be written.
     """
     rows = [
-        tuple(map(text_cell, (one.sourcedid, one.name or one.email or one.user, one.email)))
+        tuple(map(_cell, (one.sourcedid, one.name or one.email or one.user, one.email)))
         for one in people
     ]
     text = table_text(("student", "name", "email"), rows)
     write_bytes(path, text.encode("utf-8-sig"), private=True)
+
+
+def _cell(text: str) -> str:
+    return text_cell(one_line(text))
