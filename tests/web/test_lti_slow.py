@@ -8,7 +8,7 @@ import anyio
 import httpx2
 
 from gripcourse.policy.model import Policy
-from gripcourse.usecases.lti import register_platform
+from gripcourse.usecases.serving.lti import register_platform
 from support.lti_course import LtiCourse, declared_as, open_lti_course
 from support.platform import TOOL, StandIn, running
 
