@@ -5,6 +5,7 @@ import random
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from datetime import UTC, datetime
+from itertools import pairwise
 from pathlib import Path
 from typing import Final
 
@@ -59,7 +60,7 @@ def room(course: Course, policy: Policy) -> Room:
     own = {name: judge_one(name, classroom) for name in classroom.behaviours}
     names, register = tuple(own), classroom.context.register
     alone = {f"{name} {name}": one.report for name, one in own.items()}
-    for name, other in zip(names, names[1:], strict=False):
+    for name, other in pairwise(names):
         typed = {one.quantity: one.typed for one in own[other].work.actions}
         raw = workbook_of(name, register[name], typed)
         alone[f"{name} {other}"] = judge_read(raw, register[name], classroom.context)
@@ -92,7 +93,7 @@ def test_a_batch_that_came_in_steps_ends_as_one_that_came_at_once(
     room: Room, tmp_path: Path, seed: int
 ) -> None:
     likened = False
-    for number, handed in enumerate(steps(room, random.Random(seed))):
+    for number, handed in enumerate(steps(room, random.Random(seed))):  # noqa: S311
         # Every run opens the folder anew.
         after_all = room.grade(handed, KeptReports(tmp_path / "kept", {}))
         at_once = room.grade(handed, None)

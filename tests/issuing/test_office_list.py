@@ -1,6 +1,7 @@
 """Lists as offices and platforms write them: what is no person is left out and named."""
 
 import unicodedata
+from collections.abc import Sequence
 from pathlib import Path
 
 import openpyxl
@@ -138,18 +139,97 @@ class TestSpreadsheets:
             sheet.merge_cells(merged)
         assert names(self.saved(tmp_path, book)) == ["Ли Цзин"]
 
-    def test_the_sheet_with_headings_is_read_and_the_others_are_named(self, tmp_path: Path) -> None:
+    def of_sheets(self, folder: Path, **sheets: Sequence[Sequence[object]]) -> Roster:
+        """Read a workbook of these sheets; `_` in a title stands for a stroke."""
         book = openpyxl.Workbook()
-        book.active.title = "Титул"
-        book.active.append(["Список групп факультета"])
+        del book["Sheet"]
+        for title, rows in sheets.items():
+            sheet = book.create_sheet(title.replace("_", "-"))
+            for row in rows:
+                sheet.append(row)
+        return self.saved(folder, book)
+
+    def test_the_sheet_with_headings_is_read_and_the_others_are_named(self, tmp_path: Path) -> None:
+        roster = self.of_sheets(
+            tmp_path,
+            Титул=[("Список групп факультета",)],
+            РК5_71=[("ФИО",), ("Иванов Иван",)],
+            Часы=[("Группа", "Часы"), ("РК5-71", 12)],
+        )
+        assert roster.students == (Student("иванов-иван", "Иванов Иван", "", "", "", ""),)
+        assert "only the sheet 'РК5-71' was read; there is also: Титул, Часы." in said(roster)
+
+    def test_each_sheet_with_names_is_a_group(self, tmp_path: Path) -> None:
+        book = openpyxl.Workbook()
+        book.create_sheet("Титул", 0).append(["Список групп факультета"])
         for title in ("РК5-71", "РК5-72"):
             book.create_sheet(title).append(["ФИО"])
             book[title].append([f"Студент {title}"])
+        del book["Sheet"]
         book.create_sheet("Черновик").sheet_state = "hidden"
         book["Черновик"].append(["ФИО"])
         roster = self.saved(tmp_path, book)
-        assert names(roster) == ["Студент РК5-71"]
-        assert "only the sheet 'РК5-71' was read; there is also: Титул, РК5-72." in said(roster)
+        assert [(one.name, one.group) for one in roster.students] == [
+            ("Студент РК5-71", "РК5-71"),
+            ("Студент РК5-72", "РК5-72"),
+        ]
+        assert (
+            "a list was read from each of the sheets РК5-71 (1), РК5-72 (1);"
+            " no list is: Титул." in said(roster)
+        )
+        assert "the titles of sheets: РК5-71, РК5-72." in said(roster)
+
+    def test_sheets_may_have_other_columns_and_say_the_group_themselves(
+        self, tmp_path: Path
+    ) -> None:
+        roster = self.of_sheets(
+            tmp_path,
+            Дневное=[("№", "ФИО", "Группа"), (1, "Иванов Иван", "РК5-71"), ("Итого", 1, None)],
+            Вечернее=[("Группа РК5-75В",), ("Фамилия", "Имя", "Почта"), ("Ким", "Лев", "k@x")],
+            Лист3=[("ФИО",), ("Ли Цзин",)],
+            Пусто=[("ФИО",)],
+        )
+        assert [(one.id, one.group) for one in roster.students] == [
+            ("иванов-иван", "РК5-71"),
+            ("k", "РК5-75В"),
+            ("ли-цзин", ""),
+        ]
+        assert "passed over: 3 [Дневное] (Итого)" in said(roster)
+
+    def test_one_id_on_two_sheets_is_refused_by_both_their_names(self, tmp_path: Path) -> None:
+        rows = [("Шифр", "ФИО"), ("11", "Иванов Иван")]
+        with pytest.raises(TableError) as caught:
+            self.of_sheets(tmp_path, РК5_71=rows, РК5_72=rows)
+        (problem,) = caught.value.problems
+        assert str(problem.key) == "row 2 [РК5-72], column Шифр"
+        assert "is in row 2 [РК5-71] already" in str(problem.what)
+
+    def test_sheets_without_anybody_are_refused(self, tmp_path: Path) -> None:
+        with pytest.raises(TableError, match="headings but no students"):
+            self.of_sheets(tmp_path, РК5_71=[("ФИО",)], РК5_72=[("ФИО",)])
+
+
+def test_whoever_teaches_is_on_a_platforms_list_and_gets_no_variant() -> None:
+    roster = listed(
+        "First Name,Last Name,SID,Email,Role,Sections",
+        "Anna,Berg,a1,a@x.example,Student,RTK-41",
+        "Ivan,Orlov,,i@x.example,Instructor,",
+        "Olga,Kim,k1,k@x.example,TA,RTK-41",
+        "Lev,Lee,l1,l@x.example,,RTK-42",
+    )
+    assert [one.id for one in roster.students] == ["a1", "l1"]
+    assert "not a student's were passed over: 3 (Orlov Ivan Instructor), 4 (Kim Olga TA)." in said(
+        roster
+    )
+
+
+@pytest.mark.parametrize(
+    ("role", "stays"),
+    [("Студент", True), ("Учитель", False), ("Староста", True), ("Студент, Ассистент", True)],
+)
+def test_only_a_known_role_of_staff_leaves_anybody_out(role: str, stays: bool) -> None:  # noqa: FBT001
+    roster = listed("ФИО;Роли", f"Иванов Иван;{role}", "Ким Лев;студент")
+    assert ("Иванов Иван" in names(roster)) is stays
 
 
 def test_a_group_in_a_row_of_its_own_is_that_of_the_people_below() -> None:

@@ -14,6 +14,7 @@ from gripcourse.grading.comparison import Comparison
 from gripcourse.grading.size_condition import Satisfies, conditions_at_own
 from gripcourse.slips.model import SlipId
 from gripcourse.solver.condition_text import condition_text
+from gripcourse.solver.numbers import PlainNumbers
 from gripcourse.solver.plan import Plan
 from gripcourse.solver.size_numbers import entry_number
 from gripcourse.text.words import LANGUAGES, Message, Texts, counted, message
@@ -85,17 +86,27 @@ def _unsatisfied(plan: Plan, quantity: Quantity) -> Message:
 
 def sound_sizes(comparison: Comparison, name: str) -> list[float]:
     """Return the sizes, SI, that a decision may sensibly take at a student's own numbers."""
-    quantity = comparison.plan.quantities[name]
-    formula = comparison.plan.reference_formula(name)
-    if quantity.choice is None or formula is None:
-        return []
-    values = comparison.follow_through.numbers.values
-    required = evaluate_number(formula, quantity.unit, values, comparison.plan.columns)
-    columns = (quantity.choice.column, *quantity.choice.also)
-    entries = np.unique(np.concatenate([comparison.plan.columns[one].sizes for one in columns]))
     # A last digit of what is required may decide between two neighbours.
     margin = comparison.policy.tolerance.relative
-    satisfied = conditions_at_own(comparison.plan, quantity, comparison.follow_through.numbers)
+    return sizes_at(comparison.plan, name, comparison.follow_through.numbers, margin)
+
+
+def sizes_at(plan: Plan, name: str, numbers: PlainNumbers, margin: float = 0.0) -> list[float]:
+    """Return the sizes, SI, that a decision may sensibly take; none where nobody decides.
+
+    Args:
+        plan: that the decision belongs to.
+        name: of the decision.
+        numbers: at which it is taken.
+        margin: share by which what is required may be another.
+    """
+    quantity, formula = plan.quantities[name], plan.reference_formula(name)
+    if quantity.choice is None or formula is None:
+        return []
+    required = evaluate_number(formula, quantity.unit, numbers.values, plan.columns)
+    columns = (quantity.choice.column, *quantity.choice.also)
+    entries = np.unique(np.concatenate([plan.columns[one].sizes for one in columns]))
+    satisfied = conditions_at_own(plan, quantity, numbers)
     ends = [required * (1 - margin)]
     if quantity.choice.rounding is Rounding.NEAREST:
         ends.append(required * (1 + margin))
@@ -103,7 +114,7 @@ def sound_sizes(comparison: Comparison, name: str) -> list[float]:
         float(entry)
         for entry in entries
         if any(
-            judge_choice(comparison.plan, quantity, float(entry), end, satisfies).sound
+            judge_choice(plan, quantity, float(entry), end, satisfies).sound
             for end in ends
             for satisfies in satisfied
         )

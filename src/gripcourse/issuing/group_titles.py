@@ -5,6 +5,7 @@ the whole list.
 """
 
 import re
+from collections.abc import Iterable
 from dataclasses import dataclass, field
 from functools import cache
 
@@ -23,24 +24,30 @@ class GroupTitles:
     Attributes:
         title: the one group that the title of the list names; empty for none, or for several.
         rows: groups by the numbers of the rows that hold nothing else, in order.
+        sheet: the group that a sheet of several is named after, where nothing else names one.
     """
 
     title: str = ""
     rows: dict[int, str] = field(default_factory=dict)
+    sheet: str = ""
 
     def above(self, row: int) -> str:
         """Return the group of a row; empty where nothing above it names one."""
-        return next((self.rows[one] for one in reversed(self.rows) if one < row), self.title)
+        named = next((self.rows[one] for one in reversed(self.rows) if one < row), self.title)
+        return named or self.sheet
 
-    def note(self) -> tuple[Message, ...]:
-        """Say which groups were found."""
-        found = dict.fromkeys(filter(None, (self.title, *self.rows.values())))
-        if not found:
-            return ()
-        return (
-            message("No column holds groups; they stand above the names: {groups}.",
-                    groups=", ".join(found)),
-        )  # fmt: skip
+
+def groups_note(lists: Iterable[GroupTitles]) -> tuple[Message, ...]:
+    """Say which groups were found above the rows of lists."""
+    above = [one for groups in lists for one in (groups.title, *groups.rows.values()) if one]
+    sheets = [one.sheet for one in lists if one.sheet]
+    said = (
+        (above, message("No column holds groups; they stand above the names: {groups}.",
+                        groups=", ".join(dict.fromkeys(above)))),
+        (sheets, message("No column holds groups; they are the titles of sheets: {groups}.",
+                         groups=", ".join(sheets))),
+    )  # fmt: skip
+    return tuple(one for found, one in said if found)
 
 
 def group_titles(sheet: Sheet) -> GroupTitles:

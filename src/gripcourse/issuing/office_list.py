@@ -1,7 +1,7 @@
 """What an office writes into a list of people besides people: sums, signatures, headings again."""
 
 import re
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 from typing import Final
 
@@ -57,9 +57,52 @@ def with_somebody(
     kept = tuple(row for row in sheet.rows if row not in nobody)
     said = message(
         "Rows that name nobody were passed over: {rows}.",
-        rows=", ".join(map(reader.shown, nobody)),
+        rows=", ".join(
+            _row_shown(sheet, row, (one for one in row.cells if not one.isdecimal()))
+            for row in nobody
+        ),
     )
     return replace(sheet, rows=kept), (said,)
+
+
+def without_staff(
+    sheet: Sheet, columns: Mapping[str, TableColumn]
+) -> tuple[Sheet, tuple[Message, ...]]:
+    """Leave out whom a platform lists beside the students: who teaches, assists or looks on.
+
+    Args:
+        sheet: the list.
+        columns: of it, by id.
+    """
+    role = columns.get("role")
+    if role is None:
+        return sheet, ()
+    staff = [row for row in sheet.rows if _is_staff(row.cells[role.position])]
+    if not staff:
+        return sheet, ()
+    names = [columns[one].position for one in _OF_NAMES if one in columns]
+    said = message(
+        "Rows of people whose role is not a student's were passed over: {rows}.",
+        rows=", ".join(
+            _row_shown(sheet, row, [*(row.cells[at] for at in names), row.cells[role.position]])
+            for row in staff
+        ),
+    )
+    return replace(sheet, rows=tuple(row for row in sheet.rows if row not in staff)), (said,)
+
+
+def _is_staff(cell: str) -> bool:
+    """Tell whether all roles in a cell are known and none is a student's."""
+    known, roles = declared_names("staff"), [plain(one) for one in re.split(r"[,;/]", cell)]
+    return bool(cell) and all(role in known for role in roles)
+
+
+def _row_shown(sheet: Sheet, row: SheetRow, cells: Iterable[str]) -> str:
+    """Return the number of a row and what stands in it."""
+    text = one_line(" ".join(filter(None, cells)))
+    text = text if len(text) <= _SHOWN else f"{text[: _SHOWN - 1]}…"
+    number = sheet.row_name(row.number)
+    return f"{number} ({text})" if text else number
 
 
 @dataclass(frozen=True, slots=True)
@@ -92,12 +135,6 @@ class _Rows:
         known = own.get("student") or own.get("email")
         is_number = not known and not any(map(str.isalpha, name))
         return is_number or (not own.get("email") and self._is_closing(name))
-
-    def shown(self, row: SheetRow) -> str:
-        """Return the number of a row and what stands in it."""
-        text = one_line(" ".join(one for one in row.cells if one and not one.isdecimal()))
-        text = text if len(text) <= _SHOWN else f"{text[: _SHOWN - 1]}…"
-        return f"{row.number} ({text})" if text else str(row.number)
 
     def _repeats_headings(self, own: Mapping[str, str]) -> bool:
         cells = [(id_, text) for id_, text in own.items() if text]

@@ -7,26 +7,21 @@ column or in three, no ids. Who has no id gets one, the same again whenever the 
 import re
 import unicodedata
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 from gripcourse.errors import Problem, TableError
-from gripcourse.issuing.group_titles import GroupTitles, group_titles
+from gripcourse.issuing.group_titles import GroupTitles, groups_note
 from gripcourse.issuing.made_ids import with_ids
-from gripcourse.issuing.office_list import PARTS_OF_NAME, with_names, with_somebody
+from gripcourse.issuing.office_list import PARTS_OF_NAME
+from gripcourse.issuing.people_list import lists_in
 from gripcourse.machine.content import Readable
 from gripcourse.machine.enclosed import LONGEST_NAME, is_file_name
 from gripcourse.text.spelling import plain
 from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.words import LANGUAGES, Message, message
-from gripcourse.variants.headings import (
-    TableColumn,
-    declared_names,
-    find_columns,
-    roster_vocabulary,
-    without_strange,
-)
+from gripcourse.variants.headings import TableColumn, declared_names
 from gripcourse.variants.model import Student
-from gripcourse.variants.sheet import Sheet, SheetRow, cell_place, read_sheet
+from gripcourse.variants.sheet import Sheet, SheetRow, cell_place
 
 _ID = re.compile(r"[\w-][\w.-]*")
 # Signs of what is printed beside a student's work: nobody's name is longer, and a word of ten
@@ -56,7 +51,8 @@ def read_roster(
 
     Args:
         source: the file, or its bytes; its headings may be English, Russian or Ukrainian, with
-            titles above and other columns beside them.
+            titles above and other columns beside them. Of a workbook each sheet with names is
+            read; where no column says it, the group is the title of the sheet.
         known: students of earlier lists: who has no id here and is one of them keeps that id.
         languages: that the course is written in.
 
@@ -67,46 +63,41 @@ def read_roster(
         TableError: with every problem: no column of names, doubled ids, ids that cannot be names
             of folders, empty names, unknown languages, a variant fixed twice.
     """
-    vocabulary = roster_vocabulary()
-    whole = read_sheet(source, vocabulary.is_heading)
-    sheet = with_names(without_strange(whole, vocabulary), vocabulary)
-    problems: list[Problem] = []
-    columns = find_columns(sheet, vocabulary, problems)
-    if not columns.keys() & {"name", *PARTS_OF_NAME}:
-        problems.append(_without_names(whole, columns))
-    students: tuple[Student, ...] = ()
-    made: tuple[Message, ...] = ()
-    groups = GroupTitles() if "group" in columns else group_titles(whole)
-    sheet = replace(sheet, rows=tuple(row for row in sheet.rows if row.number not in groups.rows))
-    sheet, left_out = with_somebody(sheet, columns, vocabulary)
-    if not problems:
-        reader = _Reader(sheet, columns, languages, groups, problems)
-        students = tuple(reader.student(row) for row in sheet.rows)
-        reader.refuse_doubles(students)
-    if columns and not sheet.rows:
+    lists, of_file = lists_in(source)
+    problems = [problem for one in lists for problem in one.problems]
+    if not problems and not any(one.sheet.rows for one in lists):
         what = message("The roster has headings but no students.")
-        problems.append(Problem(sheet.file, "", what, message("Write a row for each student.")))
+        remedy = message("Write a row for each student.")
+        problems.append(Problem(lists[0].sheet.file, "", what, remedy))
+    read: tuple[_Read, ...] = ()
+    if not problems:
+        readers = [
+            _Reader(one.sheet, one.columns, languages, one.groups, problems) for one in lists
+        ]
+        read = tuple(_Read(one, row, one.student(row)) for one in readers for row in one.sheet.rows)
+        _refuse_doubles(read)
+    students: tuple[Student, ...] = tuple(one.student for one in read)
+    made: tuple[Message, ...] = ()
     if not problems:
         students, made, doubles = with_ids(students, tuple(known))
         problems += (
-            Problem(sheet.file, message("row {row}", row=sheet.rows[place].number), *said)
+            Problem(
+                read[place].reader.sheet.file,
+                message("row {row}", row=read[place].row_name),
+                *said,
+            )
             for place, said in doubles
         )
     if problems:
         raise TableError(problems)
-    return Roster(students, (*sheet.notes, *groups.note(), *left_out, *made))
+    unused = (note for one in lists for note in one.sheet.notes)
+    left_out = (note for one in lists for note in one.left_out)
+    groups = groups_note([one.groups for one in lists])
+    return Roster(students, _each_once((*unused, *of_file, *groups, *left_out, *made)))
 
 
-def _without_names(whole: Sheet, columns: Mapping[str, TableColumn]) -> Problem:
-    if columns:
-        what = message("There is no column '{column}'.", column="name")
-        return Problem(whole.file, "", what, did_you_mean("name", whole.header))
-    return Problem(
-        whole.file,
-        "",
-        message("No row of the roster has headings."),
-        message("Write a row above the names, for example: name, group, e-mail."),
-    )
+def _each_once(notes: Iterable[Message]) -> tuple[Message, ...]:
+    return tuple({str(one): one for one in notes}.values())
 
 
 @dataclass(frozen=True, slots=True)
@@ -134,7 +125,7 @@ class _Reader:
         self._check_lengths(row, student)
         if not student.name:
             column = next(one for one in ("name", *PARTS_OF_NAME) if one in self.columns)
-            self._add(
+            self.add(
                 row, column, message("The student has no name."), message("Write it as printed.")
             )
         return student
@@ -145,29 +136,12 @@ class _Reader:
         parts = [whole] if whole else [self._cell(row, one) for one in PARTS_OF_NAME]
         return " ".join(" ".join(parts).split())
 
-    def refuse_doubles(self, students: tuple[Student, ...]) -> None:
-        """Record ids and fixed variants that stand in two rows."""
-        ids: dict[str, tuple[int, str]] = {}
-        variants: dict[str, int] = {}
-        for row, student in zip(self.sheet.rows, students, strict=True):
-            first, other = ids.setdefault(_seen(student.id), (row.number, student.id))
-            if student.id and first != row.number:
-                self._add(row, "student", *_taken(student.id, other, first))
-            if student.variant and variants.setdefault(student.variant, row.number) != row.number:
-                self._add(
-                    row,
-                    "variant",
-                    message("The variant '{variant}' is fixed in row {row} already.",
-                            variant=student.variant, row=variants[student.variant]),
-                    message("Fix another one, or leave the cell blank for the next free one."),
-                )  # fmt: skip
-
     def _check_lengths(self, row: SheetRow, student: Student) -> None:
         for what, most in _LONGEST.items():
             count = len(getattr(student, what))
             if count > most:
                 column = next(one for one in (what, *PARTS_OF_NAME) if one in self.columns)
-                self._add(
+                self.add(
                     row,
                     column,
                     message(
@@ -180,7 +154,7 @@ class _Reader:
 
     def _check_id(self, row: SheetRow, id_: str) -> None:
         if not _ID.fullmatch(id_) or not is_file_name(id_):
-            self._add(
+            self.add(
                 row,
                 "student",
                 message("The id '{student}' cannot name a folder.", student=id_),
@@ -200,16 +174,50 @@ class _Reader:
             if found
             else message("There is no language '{language}'.", language=written)
         )
-        self._add(row, "language", what, did_you_mean(written, self.languages))
+        self.add(row, "language", what, did_you_mean(written, self.languages))
         return ""
 
     def _cell(self, row: SheetRow, id_: str) -> str:
         column = self.columns.get(id_)
         return row.cells[column.position] if column is not None else ""
 
-    def _add(self, row: SheetRow, id_: str, what: Message, remedy: Message) -> None:
-        place = cell_place(row.number, self.columns[id_].name)
+    def add(self, row: SheetRow, id_: str, what: Message, remedy: Message) -> None:
+        """Record what is wrong with a cell."""
+        place = cell_place(self.sheet.row_name(row.number), self.columns[id_].name)
         self.problems.append(Problem(self.sheet.file, place, what, remedy))
+
+
+@dataclass(frozen=True, slots=True)
+class _Read:
+    """A student, and where it was read."""
+
+    reader: _Reader
+    row: SheetRow
+    student: Student
+
+    @property
+    def row_name(self) -> str:
+        return self.reader.sheet.row_name(self.row.number)
+
+
+def _refuse_doubles(read: Sequence[_Read]) -> None:
+    """Record ids and fixed variants that stand in two rows, of one list or of two."""
+    ids: dict[str, _Read] = {}
+    variants: dict[str, _Read] = {}
+    for one in read:
+        student = one.student
+        first = ids.setdefault(_seen(student.id), one)
+        if student.id and first is not one:
+            said = _taken(student.id, first.student.id, first.row_name)
+            one.reader.add(one.row, "student", *said)
+        if student.variant and (other := variants.setdefault(student.variant, one)) is not one:
+            one.reader.add(
+                one.row,
+                "variant",
+                message("The variant '{variant}' is fixed in row {row} already.",
+                        variant=student.variant, row=other.row_name),
+                message("Fix another one, or leave the cell blank for the next free one."),
+            )  # fmt: skip
 
 
 def _seen(id_: str) -> str:
@@ -221,7 +229,7 @@ def _seen(id_: str) -> str:
     return unicodedata.normalize("NFKC", id_).casefold().translate(_ALIKE)
 
 
-def _taken(id_: str, other: str, row: int) -> tuple[Message, Message]:
+def _taken(id_: str, other: str, row: str) -> tuple[Message, Message]:
     """Say that an id is another's already, or looks so."""
     if id_.casefold() == other.casefold():
         return (

@@ -4,7 +4,6 @@ Nothing is understood here: cells come out as text, rows keep the number that a 
 Only where the headings are is asked from whoever knows them: an office writes a title above them.
 """
 
-import codecs
 import csv
 import io
 from collections.abc import Callable, Iterable, Sequence
@@ -12,9 +11,10 @@ from dataclasses import dataclass, replace
 from typing import TypeAlias
 
 from gripcourse.errors import Problem, TableError
-from gripcourse.machine.content import Readable, content_of, is_there, pure_path, shown_name
+from gripcourse.machine.content import Readable, is_there, pure_path, shown_name
 from gripcourse.machine.spreadsheet.by_content import is_workbook
 from gripcourse.text.words import Message, message
+from gripcourse.variants.decoded import decoded
 from gripcourse.variants.spreadsheet import (
     SheetAsText,
     UnreadableSpreadsheetError,
@@ -23,9 +23,6 @@ from gripcourse.variants.spreadsheet import (
 
 _DELIMITERS = ("\t", ";", ",")
 """In the order in which they are believed: a heading like `mass, kg` may hold a comma."""
-
-_ENCODINGS = ("cp1251", "cp866", "koi8_u")
-"""In which offices of the course's languages still save text."""
 
 # One far cell makes every row as wide; a table of 100 000 rows has some 50 columns.
 _MOST_CELLS = 10_000_000
@@ -63,6 +60,7 @@ class Sheet:
         notes: how the file was read where it could have been read in another way.
         heading_row: in which row the headings are, as a spreadsheet shows it.
         titles: what stands in the rows above the headings.
+        title: of its sheet, where several of a workbook are read; empty for the only one.
     """
 
     file: str
@@ -72,6 +70,24 @@ class Sheet:
     notes: tuple[Message, ...] = ()
     heading_row: int = 1
     titles: tuple[str, ...] = ()
+    title: str = ""
+
+    def row_name(self, number: int) -> str:
+        """Return what a person calls a row: its number, and its sheet where there are several."""
+        return f"{number} [{self.title}]" if self.title else str(number)
+
+
+@dataclass(frozen=True, slots=True)
+class SheetsOfFile:
+    """All tables of a file.
+
+    Attributes:
+        sheets: those that have headings; else the first one.
+        others: titles of the others, where anything stands in them.
+    """
+
+    sheets: tuple[Sheet, ...]
+    others: tuple[str, ...] = ()
 
 
 def read_sheet(source: Readable, is_heading: IsHeading = lambda _: False) -> Sheet:
@@ -92,10 +108,9 @@ def read_sheet(source: Readable, is_heading: IsHeading = lambda _: False) -> She
     """
     if not is_there(source):
         raise _failure(source, message("There is no such file."), message("Check the path."))
-    suffix = pure_path(source).suffix.lower()
-    if suffix == ".xlsx" or is_workbook(source):
+    if _is_spreadsheet(source):
         return _spreadsheet(source, is_heading)
-    if suffix in {".csv", ".txt", ".tsv"}:
+    if pure_path(source).suffix.lower() in {".csv", ".txt", ".tsv"}:
         return _csv_sheet(source, is_heading)
     raise _failure(
         source,
@@ -104,7 +119,21 @@ def read_sheet(source: Readable, is_heading: IsHeading = lambda _: False) -> She
     )
 
 
-def cell_place(row: int, column: str) -> Message:
+def read_sheets(source: Readable, is_heading: IsHeading) -> SheetsOfFile:
+    """Read all tables of a `.csv` or `.xlsx` file; see `read_sheet`."""
+    if not (is_there(source) and _is_spreadsheet(source)):
+        return SheetsOfFile((read_sheet(source, is_heading),))
+    found = _sheets_of(source)
+    chosen = [one for one in found if _has_headings(_rows_of(one), is_heading)] or found[:1]
+    return SheetsOfFile(
+        tuple(
+            replace(_sheet(source, _rows_of(one), is_heading), title=one.title) for one in chosen
+        ),
+        tuple(one.title for one in found if one not in chosen and one.rows),
+    )
+
+
+def cell_place(row: int | str, column: str) -> Message:
     """Name a cell as a person finds it."""
     return message("row {row}, column {column}", row=row, column=column)
 
@@ -126,10 +155,14 @@ def column_name(position: int, header: tuple[str, ...]) -> str:
     return letters
 
 
+def _is_spreadsheet(source: Readable) -> bool:
+    return pure_path(source).suffix.lower() == ".xlsx" or is_workbook(source)
+
+
 def _spreadsheet(source: Readable, is_heading: IsHeading) -> Sheet:
     """Read the first sheet that has headings, else the first one; the others are named."""
     sheets = _sheets_of(source)
-    rows = [[SheetRow(number, _stripped(cells)) for number, cells in one.rows] for one in sheets]
+    rows = list(map(_rows_of, sheets))
     chosen = next((at for at, one in enumerate(rows) if _has_headings(one, is_heading)), 0)
     sheet = _sheet(source, rows[chosen], is_heading)
     others = [one.title for at, one in enumerate(sheets) if at != chosen and one.rows]
@@ -142,6 +175,10 @@ def _spreadsheet(source: Readable, is_heading: IsHeading) -> Sheet:
         others=", ".join(others),
     )
     return replace(sheet, notes=(note,))
+
+
+def _rows_of(sheet: SheetAsText) -> list[SheetRow]:
+    return [SheetRow(number, _stripped(cells)) for number, cells in sheet.rows]
 
 
 def _sheets_of(source: Readable) -> Sequence[SheetAsText]:
@@ -157,7 +194,7 @@ def _has_headings(rows: Sequence[SheetRow], is_heading: IsHeading) -> bool:
 
 
 def _csv_sheet(source: Readable, is_heading: IsHeading) -> Sheet:
-    text, notes = _text(source)
+    text, notes = decoded(source)
     found: list[tuple[int, Sheet]] = []
     faults: list[TableError] = []
     for delimiter in _delimiters(text):
@@ -218,53 +255,6 @@ def _heading_row(rows: Sequence[SheetRow], is_heading: IsHeading) -> int:
 
 def _width(cells: tuple[str, ...]) -> int:
     return max((position for position, cell in enumerate(cells, start=1) if cell), default=0)
-
-
-def _text(source: Readable) -> tuple[str, tuple[Message, ...]]:
-    """Decode a file: as Unicode where it can be, else as what its letters make most likely."""
-    content = content_of(source)
-    if content.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)):
-        return _as_unicode(source, content, "utf-16"), ()
-    try:
-        return content.decode("utf-8-sig"), ()
-    except UnicodeDecodeError as fault:
-        guess = _guessed(content)
-        if guess is None:
-            line = fault.object[: fault.start].count(b"\n") + 1
-            raise _not_text(source, line) from fault
-    text, encoding = guess
-    note = message(
-        "{file} is no Unicode text and was read as {encoding}: look at the names. To be sure, save"
-        " it as “CSV UTF-8”.",
-        file=shown_name(source),
-        encoding=encoding,
-    )
-    return text, (note,)
-
-
-def _as_unicode(source: Readable, content: bytes, encoding: str) -> str:
-    try:
-        return content.decode(encoding)
-    except UnicodeDecodeError as fault:
-        raise _not_text(source, 1) from fault
-
-
-def _guessed(content: bytes) -> tuple[str, str] | None:
-    """Return a text and the encoding that it most likely has; None for what is no text."""
-    import charset_normalizer  # noqa: PLC0415 (for old files alone)
-
-    if b"\0" in content:
-        return None
-    best = charset_normalizer.from_bytes(content, cp_isolation=list(_ENCODINGS)).best()
-    return None if best is None else (content.decode(best.encoding), best.encoding)
-
-
-def _not_text(source: Readable, line: int) -> TableError:
-    return _failure(
-        source,
-        message("The file is not in UTF-8: line {line} cannot be read.", line=line),
-        message("Save it again as “CSV UTF-8”: Excel has it in its list of file types."),
-    )
 
 
 def _delimiters(text: str) -> tuple[str, ...]:

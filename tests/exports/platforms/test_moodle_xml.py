@@ -7,16 +7,22 @@ from xml.etree import ElementTree as ET
 import pytest
 
 from gripcourse.course.model import Course
+from gripcourse.course.quantity import Kind
 from gripcourse.documents.assignment_sheet import option_pairs
 from gripcourse.exports.platforms.moodle_xml import moodle_xml
+from gripcourse.grading.choices import sizes_at
 from gripcourse.policy.model import Policy
+from gripcourse.solver.numbers import evaluate_numbers
 from gripcourse.solver.plan import Plan
+from gripcourse.solver.solve import to_si
+from gripcourse.text.units import factor
 from gripcourse.text.words import Words
 from gripcourse.variants.model import Variant
 from support.reports import values, variant
 
 __all__ = ["values", "variant"]
 PART = re.compile(r"\{(\d+):(NM|MC):=([^~{}]*)(?:~([^{}]*))?\}")
+OTHER = re.compile(r"%100%([^#~]*)(?:#([^~]*))?")
 NUMBER = re.compile(r"(-?\d+(?:\.\d+)?):(\d+(?:\.\d+)?)")
 
 
@@ -50,3 +56,26 @@ def test_a_question_says_what_was_chosen_and_shows_the_diagram(
     assert file is not None
     assert f"@@PLUGINFILE@@/{file.get('name')}" in text
     assert b64decode(file.text or "").startswith(b"<svg")
+
+
+def test_every_size_that_the_rule_of_a_decision_admits_counts(
+    variant: Variant, plan: Plan, course: Course, policy: Policy, values: dict[str, float]
+) -> None:
+    root = ET.fromstring(moodle_xml([variant], course, policy, Words("en")))  # noqa: S314 (ours)
+    numbers = evaluate_numbers(plan, to_si(plan, variant.given))
+    asked = [one for section in course.sections for one in plan.answered
+             if one.section == section.id]  # fmt: skip
+    parts = PART.findall(root.findtext("question/questiontext/text", ""))
+    counted = {
+        one.id: [right, *(number for number, _ in OTHER.findall(more))]
+        for one, (_, kind, right, more) in zip(asked, parts, strict=True)
+        if kind == "NM"
+    }
+    told = [said for *_, more in parts for _, said in OTHER.findall(more)]
+    for one in asked:
+        if one.kind is not Kind.VERDICT:
+            sizes = [size / factor(one.unit) for size in sizes_at(plan, one.id, numbers)]
+            found = sorted(float(number.partition(":")[0]) for number in counted[one.id])
+            assert found == pytest.approx(sorted({*sizes, values[one.id]}), rel=1e-8)
+    assert any(len(one) > 1 for one in counted.values())
+    assert any("what follows goes on with" in said for said in told)

@@ -1,7 +1,8 @@
 """Variants as questions that Moodle imports: one of many parts for each, for a self-test.
 
 The answers are in the file: it is for the instructor. Moodle reads only a decimal point and only an
-absolute tolerance, and it knows nothing of consequences: a part counts by its own number alone.
+absolute tolerance, and it knows nothing of consequences: a part counts by its own number alone. Of
+a decision all sizes count that are sound; what follows goes on with the reference.
 """
 
 import re
@@ -17,13 +18,15 @@ from gripcourse.course.quantity import Kind, Quantity
 from gripcourse.documents.assignment_sheet import given_data, option_pairs
 from gripcourse.drawing.diagram.kinematic_diagram import KinematicDiagram, kinematic_diagram
 from gripcourse.drawing.diagram.nominal import nominal_values
+from gripcourse.grading.choices import same_size, sizes_at
 from gripcourse.policy.bands import band
 from gripcourse.policy.model import Policy
 from gripcourse.policy.points import points_of
+from gripcourse.solver.numbers import PlainNumbers, evaluate_numbers
 from gripcourse.solver.plan import Plan, plan_of
-from gripcourse.solver.solve import solve_variant
+from gripcourse.solver.solve import from_si, to_si
 from gripcourse.text.shown import shown
-from gripcourse.text.units import unit_text
+from gripcourse.text.units import factor, unit_text
 from gripcourse.text.words import Words, message
 from gripcourse.variants.model import Variant
 
@@ -100,14 +103,18 @@ def _html(
         value = f"{datum.value} {datum.unit}".strip()
         yield f"<li>{escape(datum.title)}: {_symbol(datum.symbol)} = {escape(value)}</li>"
     yield "</ul>"
-    values, points = solve_variant(plan, variant.given), points_of(plan, policy)
+    points = points_of(plan, policy)
+    numbers = evaluate_numbers(plan, to_si(plan, variant.given))
+    values = from_si(plan, numbers.values)
     for section in course.sections:
         asked = [one for one in plan.answered if one.section == section.id]
         if asked:
             yield f"<h4>{escape(section.title.of(language))}</h4>"
         for quantity in asked:
-            answer = _answer(quantity, values[quantity.id], points[quantity.id], policy, words)
-            yield _line(quantity, answer, language)
+            right = _right(quantity, values[quantity.id], policy, words)
+            right += "".join(_other_sizes(quantity, plan, numbers, policy, words))
+            weight = max(1, round(_WEIGHT * points[quantity.id]))
+            yield _line(quantity, f"{{{weight}:{right}}}", language)
 
 
 def _line(quantity: Quantity, answer: str, language: str) -> str:
@@ -120,15 +127,36 @@ def _line(quantity: Quantity, answer: str, language: str) -> str:
     )
 
 
-def _answer(quantity: Quantity, value: float, points: float, policy: Policy, words: Words) -> str:
-    """Return an answer as Moodle's text holds it: weight, kind, what is right and how nearly."""
-    weight = max(1, round(_WEIGHT * points))
+def _right(quantity: Quantity, value: float, policy: Policy, words: Words) -> str:
+    """Return an answer as Moodle's text holds it: kind, what is right and how nearly."""
     if quantity.kind is Kind.VERDICT:
         yes, no = words.say(message("yes")), words.say(message("no"))
         right, wrong = (yes, no) if value else (no, yes)
-        return f"{{{weight}:MC:={right}~{wrong}}}"
+        return f"MC:={right}~{wrong}"
+    return f"NM:={_number(quantity, value, policy)}"
+
+
+def _other_sizes(
+    quantity: Quantity, plan: Plan, numbers: PlainNumbers, policy: Policy, words: Words
+) -> Iterator[str]:
+    """Yield the other sizes that a decision may take, as alternatives of full worth."""
+    unit = factor(quantity.unit)
+    reference = numbers.values[quantity.id]
+    goes_on = any(quantity.id in plan.inputs[one.id] for one in plan.answered)
+    told = message(
+        "Sound as well; what follows goes on with {value}.",
+        value=f"{_plain(reference / unit)} {unit_text(quantity.unit, words.language)}".strip(),
+    )
+    comment = f"#{words.say(told)}" if goes_on else ""
+    for size in sizes_at(plan, quantity.id, numbers):
+        if not same_size(size, reference):
+            yield f"~%100%{_number(quantity, size / unit, policy)}{comment}"
+
+
+def _number(quantity: Quantity, value: float, policy: Policy) -> str:
+    """Return a number and how far from it an answer may be."""
     tolerance = max(band(quantity, value, policy), _LEAST * abs(value))
-    return f"{{{weight}:NM:={_plain(value)}:{_plain(tolerance)}}}"
+    return f"{_plain(value)}:{_plain(tolerance)}"
 
 
 def _plain(value: float) -> str:
