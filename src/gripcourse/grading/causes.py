@@ -3,28 +3,75 @@
 import math
 from collections import defaultdict
 from collections.abc import Mapping, Sequence
+from typing import Final
 
 from gripcourse.course.quantity import Kind
+from gripcourse.formula.evaluate import evaluate_number
 from gripcourse.grading.model import Against, Cause, Finding, Outcome
 from gripcourse.grading.substitution import Substitution
 from gripcourse.solver.plan import Plan
 from gripcourse.text.amounts import amount_text
 from gripcourse.text.words import LANGUAGES, Message, Texts, Words, counted, message
 
+_SAME: Final = 1e-9
 
-def roots_of(plan: Plan, outcomes: Mapping[str, tuple[Outcome, Against]]) -> dict[str, set[str]]:
+
+def roots_of(
+    plan: Plan,
+    outcomes: Mapping[str, tuple[Outcome, Against]],
+    own: Mapping[str, float],
+    reference: Mapping[str, float],
+) -> dict[str, set[str]]:
     """Return for each answer that follows from wrong ones the wrong answers at the root.
 
     Args:
         plan: whose quantities are in order of calculation.
         outcomes: of every answered quantity.
+        own: every quantity at the student's own numbers, SI.
+        reference: every quantity of the reference, SI.
     """
     roots: dict[str, set[str]] = {}
     for name in plan.quantities:
-        behind = {root for one in plan.inputs[name] for root in _behind(one, outcomes, roots)}
-        if behind and _passes_on(outcomes.get(name)):
-            roots[name] = behind
+        if not _passes_on(outcomes.get(name)):
+            continue
+        found = {one: _behind(one, outcomes, roots) for one in plan.inputs[name]}
+        wrong = [one for one, behind in found.items() if behind]
+        if len(wrong) > 1:
+            wrong = _that_matter(plan, name, wrong, own, reference) or wrong
+        if wrong:
+            roots[name] = set().union(*(found[one] for one in wrong))
     return {name: behind for name, behind in roots.items() if name in outcomes}
+
+
+def _that_matter(
+    plan: Plan,
+    name: str,
+    wrong: Sequence[str],
+    own: Mapping[str, float],
+    reference: Mapping[str, float],
+) -> list[str]:
+    """Return the wrong inputs without which a number would be another one.
+
+    Of two forces the smaller explains nothing where the larger one counts.
+    """
+    quantity, formula = plan.quantities[name], plan.reference_formula(name)
+    if formula is None or quantity.kind is not Kind.FORMULA:
+        return list(wrong)
+    here = evaluate_number(formula, quantity.unit, own, plan.columns)
+    return [
+        one
+        for one in wrong
+        if not math.isclose(
+            here,
+            evaluate_number(
+                formula,
+                quantity.unit,
+                {**own, one: reference.get(one, math.nan)},
+                plan.columns,
+            ),
+            rel_tol=_SAME,
+        )
+    ]
 
 
 def _passes_on(found: tuple[Outcome, Against] | None) -> bool:

@@ -17,6 +17,7 @@ from gripcourse.grading.extended import extended
 from gripcourse.grading.flags import flags_of
 from gripcourse.grading.intended import as_intended
 from gripcourse.grading.model import Against, Cause, Finding, Outcome, Report, sums_of
+from gripcourse.grading.same_number import same_number_once
 from gripcourse.grading.significant_digits import figures_remark
 from gripcourse.grading.submission_case import (
     GradingCase,
@@ -26,7 +27,7 @@ from gripcourse.grading.submission_case import (
     make_case,
 )
 from gripcourse.grading.substitution import Substitution, by_answer, substitutions
-from gripcourse.grading.support import withhold_unsupported
+from gripcourse.grading.support import is_calculated, withhold_unsupported
 from gripcourse.policy.model import Policy
 from gripcourse.slips.candidates import candidates_of as make_candidates
 from gripcourse.slips.model import SlipId
@@ -52,7 +53,8 @@ def judge(
     2. explained: a wrong answer that a known wrong method gives becomes a slip.
     3. intended: what follows from a number that was only written down wrongly is no mistake; a
        constant that was shortened too far, or two numbers in each other's cells, cost once.
-    4. settled: what one number used wrongly explains costs once, where it is used first.
+    4. settled: what one number used wrongly explains costs once, where it is used first; a number
+       that is asked for in several cells costs once too.
     5. supported: in a work that hardly calculates, what follows needs what it follows from.
     6. findings: conclusions with points, remarks, and the wrong answers at their root.
 
@@ -71,6 +73,8 @@ def judge(
     found = substitutions(case, intended)
     substituted = extended(case, intended, found)
     settled = [_substituted(case, one, by_answer(substituted)) for one in intended]
+    if is_calculated(case, settled):
+        settled = same_number_once(case, settled)
     supported = withhold_unsupported(case, settled)
     findings = _findings(case, supported)
     return _report(submission, issued, case, findings, causes_of(plan, findings, substituted))
@@ -146,8 +150,9 @@ def _substituted(
 
 def _findings(case: GradingCase, settled: Sequence[JudgedAnswer]) -> tuple[Finding, ...]:
     outcomes = {one.quantity.id: (one.judgement.outcome, one.judgement.against) for one in settled}
-    roots = roots_of(case.plan, outcomes)
-    own = from_si(case.plan, case.follow_through.numbers.values)
+    numbers = case.follow_through.numbers.values
+    roots = roots_of(case.plan, outcomes, numbers, case.reference)
+    own = from_si(case.plan, numbers)
     return tuple(_finding(case, one, own, roots.get(one.quantity.id, set())) for one in settled)
 
 

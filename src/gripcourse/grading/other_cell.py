@@ -58,6 +58,8 @@ def _holds_the_same(comparison: Comparison, name: str) -> bool:
     if not math.isclose(number / factor(quantity.unit), comparison.value, rel_tol=_SAME):
         return False
     right = comparison.reference_values.get(name, math.nan)
+    if math.isclose(right / factor(quantity.unit), comparison.reference, rel_tol=_SAME):
+        return False  # both cells ask for one number: neither was mistaken for the other
     return math.isclose(number, right, rel_tol=_RIGHT) or not _rests_on(comparison, name)
 
 

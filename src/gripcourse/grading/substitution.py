@@ -18,6 +18,7 @@ from gripcourse.grading.comparison import Comparison
 from gripcourse.grading.explain import FROM_HABIT, unexplained
 from gripcourse.grading.misreading import ANYTHING, misreadings, neighbours
 from gripcourse.grading.roots import Array, overlaps, reach, spans
+from gripcourse.grading.same_number import same_numbers
 from gripcourse.grading.shortened import shortenings
 from gripcourse.grading.submission_case import GradingCase, JudgedAnswer
 from gripcourse.grading.unwritten import carried_here, unwritten_before
@@ -105,7 +106,9 @@ def substitutions(case: GradingCase, judged: Sequence[JudgedAnswer]) -> tuple[Su
     Returns:
         Substitutions that share no answer.
     """
-    wrong = _wrong(case, judged)
+    # What only repeats a number is no evidence of its own for where that comes from.
+    repeated = same_numbers(case, judged)
+    wrong = [one for one in _wrong(case, judged) if one.name not in repeated]
     if len(wrong) < _LEAST_ANSWERS:
         return ()
     right = [
@@ -119,8 +122,13 @@ def substitutions(case: GradingCase, judged: Sequence[JudgedAnswer]) -> tuple[Su
     for one in found:
         if taken.isdisjoint(one.explains):
             taken |= set(one.explains)
-            kept.append(_certain(one, found, case))
+            kept.append(_with_repeated(_certain(one, found, case), repeated))
     return tuple(kept)
+
+
+def _with_repeated(found: Substitution, repeated: Mapping[str, str]) -> Substitution:
+    again = (name for name, first in repeated.items() if first in found.explains)
+    return replace(found, explains=(*found.explains, *again))
 
 
 def _wrong(case: GradingCase, judged: Sequence[JudgedAnswer]) -> list[_Wrong]:
