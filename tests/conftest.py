@@ -36,6 +36,10 @@ settings.register_profile("comparable", deadline=None, derandomize=True)
 settings.load_profile("gripcourse")
 
 
+# Programs that tests start import numpy in two thirds of the time: see `calculate_in_one_thread`.
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+
+
 # Objects that are made before young, then middle-aged, then all objects are searched for garbage.
 # What is loaded and collected lives on anyway: searching it took a sixth of the time of all tests.
 gc.set_threshold(50_000, 20, 20)

@@ -51,10 +51,12 @@ def with_somebody(
         vocabulary: what columns may be called: a long list repeats its headings.
     """
     reader = _Rows({id_: one.position for id_, one in columns.items()}, vocabulary)
-    nobody = [row for row in sheet.rows if reader.names_nobody(row)]
+    nobody: list[SheetRow] = []
+    kept: list[SheetRow] = []
+    for row in sheet.rows:
+        (nobody if reader.names_nobody(row) else kept).append(row)
     if not nobody:
         return sheet, ()
-    kept = tuple(row for row in sheet.rows if row not in nobody)
     said = message(
         "Rows that name nobody were passed over: {rows}.",
         rows=", ".join(
@@ -62,7 +64,7 @@ def with_somebody(
             for row in nobody
         ),
     )
-    return replace(sheet, rows=kept), (said,)
+    return replace(sheet, rows=tuple(kept)), (said,)
 
 
 def without_staff(

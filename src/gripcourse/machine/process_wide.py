@@ -8,6 +8,7 @@ and should not take long.
 """
 
 import gc
+import os
 import sys
 import warnings
 from collections.abc import Iterator
@@ -59,6 +60,15 @@ def few_collections() -> Iterator[None]:
         yield
     finally:
         _RARELY.leave()
+
+
+def calculate_in_one_thread() -> None:
+    """Let numpy start no threads of its own, here and in what this process starts; before numpy.
+
+    Our matrices are small, and each of our workers would start one more for each processor: a third
+    of the time that importing numpy takes. Who has set a number has it.
+    """
+    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 
 def collect_rarely() -> None:

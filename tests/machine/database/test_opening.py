@@ -48,7 +48,7 @@ class TestMaking:
             raise KeyboardInterrupt
 
         with monkeypatch.context() as patch:
-            patch.setattr("gripcourse.machine.database.opening.bring_up", crash)
+            patch.setattr("os.fsync", crash)
             with pytest.raises(KeyboardInterrupt):
                 open_engine(str(tmp_path / "gradebook.sqlite"))
         assert list(tmp_path.iterdir()) == []

@@ -14,7 +14,7 @@ from gripcourse.policy.load import load_policy
 from gripcourse.policy.model import Policy
 from gripcourse.usecases.authoring.judged_before import FilesSeen, files_seen
 from gripcourse.usecases.authoring.template_trial import (
-    Trial,
+    TemplateTrial,
     Tried,
     begun_apart,
     trial_of,
@@ -34,7 +34,7 @@ class Tries:
     root: Path
     files: SourceFiles | None
     policy: Policy
-    trial: Trial
+    trial: TemplateTrial
     read: Templates
 
     @property

@@ -4,17 +4,19 @@ What is not there yet is made; what an earlier program made is brought up, with 
 Two programs may try either at once: one does it, the other finds it done.
 """
 
+import os
 import re
 import sqlite3
 from collections.abc import Iterator
 from contextlib import closing, contextmanager
+from functools import lru_cache
 from pathlib import Path
 from typing import Any, Final
 
 from sqlalchemy import Connection, Engine, create_engine, event
 from sqlalchemy.engine import URL, make_url
 from sqlalchemy.exc import ArgumentError, DBAPIError, NoSuchModuleError
-from sqlalchemy.pool import NullPool
+from sqlalchemy.pool import NullPool, StaticPool
 
 from gripcourse.errors import NextStep
 from gripcourse.machine.database.migrate import NEWEST, REVISIONS, bring_up, revision_of
@@ -162,9 +164,22 @@ def _make(file: Path) -> None:
     try:
         with making(file) as temporary, refusals_named(str(file)):
             make_private(temporary)
-            _bring_up(_connected(URL.create("sqlite", database=str(temporary))), None)
+            with temporary.open("r+b") as stream:
+                stream.write(_empty())
+                stream.flush()
+                os.fsync(stream.fileno())
     except OSError as fault:
         raise unusable(str(file), fault.strerror or str(fault)) from fault
+
+
+@lru_cache(maxsize=1)
+def _empty() -> bytes:
+    """Return the content of a new database: running all revisions takes longer than copying it."""
+    with closing(sqlite3.connect(":memory:", isolation_level=None)) as memory:
+        engine = create_engine("sqlite://", creator=lambda: memory, poolclass=StaticPool)
+        with writing(engine) as connection:
+            bring_up(connection, None)
+        return bytes(memory.serialize())
 
 
 def _refuse_empty(file: Path) -> None:

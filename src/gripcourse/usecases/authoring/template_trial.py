@@ -33,7 +33,7 @@ Tried: TypeAlias = Callable[[], list[Problem] | Lost | None]
 
 
 @dataclass(frozen=True, slots=True)
-class Trial:
+class TemplateTrial:
     """What templates are tried with: the documents of a course's first worked example.
 
     Attributes:
@@ -54,7 +54,7 @@ class Trial:
 
 
 @dataclass(frozen=True, slots=True)
-class _Order:
+class _TrialOrder:
     """What another process must be sent; the course is kept, and unpacked faster than sent."""
 
     root: Path
@@ -64,7 +64,7 @@ class _Order:
     read: Templates
 
 
-def trial_of(course: Course, files: SourceFiles | None) -> Trial:
+def trial_of(course: Course, files: SourceFiles | None) -> TemplateTrial:
     """Return what templates are tried with.
 
     Args:
@@ -76,7 +76,7 @@ def trial_of(course: Course, files: SourceFiles | None) -> Trial:
     named = {*(one.scheme for one in drawn), *atlas_schemes(course.root)}
     named |= set() if example is None else {example.id}
     if files is None:
-        return Trial(course, of_schemes(course, named), drawn, None)
+        return TemplateTrial(course, of_schemes(course, named), drawn, None)
     shown = [one for one in course.schemes.values() if one.id in named]
     shared = files.shared(_NOT_SHOWN)
     # The pages of reference show all catalogues.
@@ -84,7 +84,7 @@ def trial_of(course: Course, files: SourceFiles | None) -> Trial:
     judged_from.update(name for one in shown for name in files.of_scheme(one, shared))
     alone = files.alone(course, shown, judged_from)
     told = files.digest(judged_from, "templates")
-    return Trial(course, alone, drawn, f"templates with {told}")
+    return TemplateTrial(course, alone, drawn, f"templates with {told}")
 
 
 def prepare_apart() -> None:
@@ -104,12 +104,12 @@ def begun_apart(
         templates: the folder.
         read: its templates.
     """
-    order = _Order(root, files, policy, templates, read)
+    order = _TrialOrder(root, files, policy, templates, read)
     return begin_apart(_filled_apart, order, None, limits=_LIMITS, seconds=_SECONDS)
 
 
 def trial_problems(
-    trial: Trial,
+    trial: TemplateTrial,
     policy: Policy,
     templates: Path,
     look: FilesSeen,
@@ -150,7 +150,7 @@ def _drawn(course: Course, files: SourceFiles | None, example: Scheme | None) ->
 
 
 def _problems(
-    trial: Trial, policy: Policy, templates: Path, read: Templates, tried: Tried | None
+    trial: TemplateTrial, policy: Policy, templates: Path, read: Templates, tried: Tried | None
 ) -> list[Problem]:
     """Fill documents with what some schemes show; where anything is wrong, with all of them.
 
@@ -174,7 +174,7 @@ def _import(*_: None) -> None:
     document_kinds()
 
 
-def _filled_apart(one: _Order, _: None) -> list[Problem] | None:
+def _filled_apart(one: _TrialOrder, _: None) -> list[Problem] | None:
     with few_collections():
         course = kept_course(one.root)
         if course is None:

@@ -44,7 +44,7 @@ from gripcourse.usecases.authoring.scheme_numbers import (
 )
 from gripcourse.usecases.authoring.styles import style_problems
 from gripcourse.usecases.authoring.template_trial import (
-    Trial,
+    TemplateTrial,
     begun_apart,
     prepare_apart,
     trial_of,
@@ -107,7 +107,7 @@ def _validated(root: Path, *, thorough: bool, is_alone: bool) -> Validation:
     # Spaces, tables and filled pages are about the course: judging them against a broken one only
     # adds noise.
     is_sound = not problems
-    trial: Trial | None = None
+    trial: TemplateTrial | None = None
     if not is_sound:
         problems += _unaffected_problems(course, problems)
     elif not (is_alone or is_known(_NUMBERS, [own])):
@@ -137,7 +137,9 @@ def _validated(root: Path, *, thorough: bool, is_alone: bool) -> Validation:
     return Validation([*problems, *_machine_problems(root)], computed=computed)
 
 
-def _to_try_apart(course: Course, files: SourceFiles | None, look: FilesSeen) -> Trial | None:
+def _to_try_apart(
+    course: Course, files: SourceFiles | None, look: FilesSeen
+) -> TemplateTrial | None:
     """Return what another process is to try templates with, and start it; None: they are known."""
     trial = trial_of(course, files)
     if trial.is_known(look):

@@ -102,11 +102,15 @@ def _unpack(backup: Path, course: Path, tables: Path) -> Manifest:
             names = sorted(one.filename for one in archive.infolist())
             if names != sorted([MANIFEST, *manifest.members]):
                 raise ValueError(names)
+            # Before anything is written.
+            targets: dict[str, Path] = {}
+            for name in manifest.members:
+                targets[name] = _target(name, course, tables)
             _expect_room(course.parent, manifest)
             make_private_folder(course / "private")
             make_private_folder(tables)
             for name, member in manifest.members.items():
-                _write_member(archive, name, member, _target(name, course, tables))
+                _write_member(archive, name, member, targets[name])
     except _DAMAGE as fault:
         what = message("The backup is damaged, or is none: {member}.", member=name)
         raise _refusal(backup, what, _NOTHING) from fault
