@@ -2,7 +2,8 @@
 
 The rules are told here in our own words, from Moodle's `mod/assign/feedback/offline/locallib.php`
 (`process_import_grades`), `importgradeslib.php` beside it and `lib/csvlib.class.php`, and from
-`lib/gradebook_importer.rb` of Canvas. The programs themselves are not run.
+`lib/gradebook_importer.rb` of Canvas. The programs themselves are not run here; Moodle's once was,
+see `docs/decisions/0025-learning-platforms.md`.
 """
 
 import csv
