@@ -47,7 +47,9 @@ class TestOneForceAtFourPoints:
         for name in POINTS[1:]:
             assert findings[name].outcome is Outcome.CARRIED
             assert findings[name].roots == (POINTS[0],)
-            assert str(findings[name].message).startswith("The same wrong number as in normal force")
+            assert str(findings[name].message).startswith(
+                "The same wrong number as in normal force"
+            )
 
     def test_two_mistakes_at_like_points_cost_twice(self, at_four_points: "Case") -> None:
         right = at_four_points.reference[POINTS[0]]
