@@ -60,3 +60,46 @@ class TestOtherSlips:
             findings[name].points < findings[name].max_points
             for name in hydraulic.needing("grip_force") & answers.keys()
         )
+
+
+class TestRightVerdictBesideAWrongNumber:
+    """The first pin's bearing stress is computed for one question only: is it below what is allowed?
+
+    It is 40 MPa where 26 are allowed, say: no. Who writes 19, and no, has compared the 40.
+    """
+
+    def across(self, case: "Case", share: float) -> dict[str, float]:
+        """Right answers, but a stress on the other side of what is allowed."""
+        allowed = case.given["bearing_stress_allowed"]
+        right = case.reference["bearing_stress"]
+        wrong = allowed * (1 - share if right > allowed else 1 + share)
+        return {**case.answers, "bearing_stress": wrong}
+
+    def test_a_number_that_nothing_explains_costs_and_the_verdict_does_not(
+        self, hydraulic: "Case"
+    ) -> None:
+        answers = self.across(hydraulic, 0.2731)
+        findings = hydraulic.findings(answers)
+        assert findings["bearing_stress"].outcome is Outcome.WRONG
+        assert hydraulic.lost(answers) == {"bearing_stress"}
+
+    def test_a_verdict_on_the_number_as_written_follows_from_it(self, hydraulic: "Case") -> None:
+        answers = self.across(hydraulic, 0.2731)
+        answers["bearing_ok"] = 1.0 - answers["bearing_ok"]
+        assert hydraulic.findings(answers)["bearing_ok"].outcome is Outcome.CARRIED
+
+    def test_who_used_a_wrong_method_says_the_opposite_of_it(
+        self, table: "tuple[Case, ...]"
+    ) -> None:
+        """Half of the stress is that of twice the diameter: it was computed, and compared."""
+        case, answers = next(
+            (case, answers)
+            for case in table
+            if "bearing_stress" in case.answers
+            and 1.2 < case.reference["bearing_stress"] / case.given["bearing_stress_allowed"] < 1.8
+            for answers in [
+                {**case.answers, "bearing_stress": case.reference["bearing_stress"] / 2}
+            ]
+            if case.findings(answers)["bearing_stress"].outcome is Outcome.SLIP
+        )
+        assert case.lost(answers) == {"bearing_stress", "bearing_ok"}

@@ -152,7 +152,7 @@ def _of_kind(around: Surroundings, taken: set[Node]) -> Iterator[Candidate]:
             formula=Formula("", one.tree, around.formula.units),
             prior=slip.prior / len(new),
             credit=slip.credit,
-            say=partial(_hint, around.quantities, slip, one.places),
+            say=partial(_hint, around.quantities, around.catalogues, slip, one.places),
         )
 
 
@@ -166,19 +166,30 @@ def _as_declared(hint: Texts) -> Texts:
 
 
 def _hint(
-    quantities: Mapping[str, Quantity], slip: GenericSlip, places: Mapping[str, Place]
+    quantities: Mapping[str, Quantity],
+    catalogues: Mapping[str, Catalogue],
+    slip: GenericSlip,
+    places: Mapping[str, Place],
 ) -> Texts:
     return Texts(
         {
             language: slip.hint.of(language).format(
-                **{name: _written(quantities, place, language) for name, place in places.items()}
+                **{
+                    name: _written(quantities, catalogues, place, language)
+                    for name, place in places.items()
+                }
             )
             for language in LANGUAGES
         }
     )
 
 
-def _written(quantities: Mapping[str, Quantity], place: Place, language: str) -> str:
+def _written(
+    quantities: Mapping[str, Quantity],
+    catalogues: Mapping[str, Catalogue],
+    place: Place,
+    language: str,
+) -> str:
     match place:
         case Quantity():
             symbol = text(declared_symbol(place.symbol.of(language)))
@@ -191,5 +202,5 @@ def _written(quantities: Mapping[str, Quantity], place: Place, language: str) ->
             symbols = {
                 name: symbol_box(quantities[name].symbol.of(language)) for name in names(place)
             }
-            columns = column_symbols(place, None, quantities, language)
+            columns = column_symbols(place, None, quantities, catalogues, language)
             return text(typeset(place, symbols | columns, language))

@@ -15,7 +15,7 @@ def condition_box(quantity: Quantity, plan: Plan, language: str) -> Box | None:
         return None
     names = {name: symbol_box(plan.quantities[name].symbol.of(language))
              for name in condition.names}  # fmt: skip
-    read = column_symbols(condition.tree, None, plan.quantities, language)
+    read = column_symbols(condition.tree, None, plan.quantities, plan.course.catalogues, language)
     return typeset(condition.tree, read | names, language)
 
 

@@ -79,7 +79,8 @@ def _symbols(formula: Formula, quantity: Quantity, plan: Plan, words: Words) -> 
     own = symbol_box(quantity.symbol.of(words.language))
     calls = (node for node in walk(formula.tree) if isinstance(node, Call))
     columns = {call.column: own for call in calls if call.column is not None}
-    read = column_symbols(formula.tree, quantity, plan.quantities, words.language)
+    catalogues = plan.course.catalogues
+    read = column_symbols(formula.tree, quantity, plan.quantities, catalogues, words.language)
     return (
         columns
         | read

@@ -90,7 +90,10 @@ def notation_notes(plan: Plan, words: Words) -> tuple[str, ...]:
 def _symbols(quantity: Quantity, formula: Formula, plan: Plan, words: Words) -> dict[str, Box]:
     """Return the symbol of every name, and what stands for the tables that are read."""
     used = {name: _symbol(plan.quantities[name], words) for name in names(formula.tree)}
-    return used | column_symbols(formula.tree, quantity, plan.quantities, words.language)
+    catalogues = plan.course.catalogues
+    return used | column_symbols(
+        formula.tree, quantity, plan.quantities, catalogues, words.language
+    )
 
 
 def _numbers(
