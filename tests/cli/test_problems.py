@@ -3,6 +3,7 @@
 import ast
 import re
 from collections.abc import Iterator
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -61,10 +62,23 @@ def test_a_parameter_is_called_what_its_option_is_called() -> None:
 def test_of_thousands_of_problems_those_are_said_that_somebody_reads(language: str) -> None:
     words = Words(language)
     many = [
-        Problem("a.csv", f"{row}", message("It is bad."), message("Mend it."))
+        Problem("a.csv", f"{row}", message("Row {row} is bad.", row=row), message("Mend it."))
         for row in range(5_000)
     ]
     *lines, last = said_of(many, words)
     assert lines == [spoken(one, words) for one in many[:100]]
     assert "4900" in last
     assert list(said_of(many[:100], words)) == lines
+
+
+def test_what_is_wrong_in_many_places_of_a_file_is_said_once() -> None:
+    wrong, mend = message("There is no section 'duty'."), message("Write it.")
+    many = [Problem("a.toml", f"quantity.{name}.section", wrong, mend) for name in "pqrstu"]
+    shown = replace(many[0], key="quantity.v.formula", excerpt="  1 + v\n      ^")
+    elsewhere = Problem("b.toml", "quantity.w.section", wrong, mend)
+    first, second = (f"quantity.{a}.section; quantity.{b}.section" for a, b in ("pq", "rs"))
+    assert list(said_of([*many, shown, elsewhere], Words("en"))) == [
+        f"a.toml: {first}; {second} and 2 more: There is no section 'duty'. Write it.",
+        "a.toml: quantity.v.formula: There is no section 'duty'. Write it.\n  1 + v\n      ^",
+        "b.toml: quantity.w.section: There is no section 'duty'. Write it.",
+    ]

@@ -1,11 +1,12 @@
 """Problems in the words of the command line: its options, and the command that mends them."""
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
+from functools import reduce
 from typing import Final
 
 from gripcourse.errors import NextStep, Problem
-from gripcourse.text.words import Words, message
+from gripcourse.text.words import Message, Words, message
 
 # Parameters of the library that are called otherwise here; all others are called alike.
 _OPTIONS: Final[Mapping[str, str]] = {
@@ -33,15 +34,40 @@ TYPED: Final[Mapping[NextStep, str]] = {
 """What is typed for each step that the library can only name."""
 
 
+_KEYS: Final = 4  # that are named of those that one sentence is about
 _MOST: Final = 100  # that are said; whoever has more has one mistake many times
 
 
 def said_of(problems: Sequence[Problem], words: Words) -> Iterator[str]:
     """Put problems into words, and say how many more there are than anybody reads."""
-    yield from (spoken(one, words) for one in problems[:_MOST])
-    if len(problems) > _MOST:
-        left = len(problems) - _MOST
+    merged = list(_merged(problems))
+    yield from (spoken(one, words) for one in merged[:_MOST])
+    if len(merged) > _MOST:
+        left = len(merged) - _MOST
         yield words.say(message("And {count} more problems. Mend these first.", count=left))
+
+
+def _merged(problems: Iterable[Problem]) -> Iterator[Problem]:
+    """Say once what is said of several keys of a file; excerpts tell places apart, and stay."""
+    alike: dict[object, list[Problem]] = {}
+    for one in problems:
+        said = (one.file, one.parameter, str(one.what), str(one.remedy), one.step)
+        alike.setdefault(said if one.key and not one.excerpt else (said, id(one)), []).append(one)
+    for first, *others in alike.values():
+        keys = list({str(one.key): one.key for one in (first, *others)}.values())
+        yield replace(first, key=_keys(keys)) if others else first
+
+
+def _keys(keys: Sequence[str | Message]) -> str | Message:
+    named = reduce(_joined, keys[:_KEYS])
+    more = len(keys) - _KEYS
+    if more <= 0:
+        return named
+    return message("{keys} and {count} more", keys=named, count=more)
+
+
+def _joined(left: str | Message, right: str | Message) -> str | Message:
+    return message("{left}; {right}", left=left, right=right)
 
 
 def spoken(problem: Problem, words: Words) -> str:

@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 from gripcourse.course.model import Catalogue
 from gripcourse.errors import Problem
 from gripcourse.formula.evaluate import Column
+from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.units import factor
 from gripcourse.text.units import known as known_unit
 from gripcourse.text.words import LANGUAGES, Message, Texts, message
@@ -44,6 +45,7 @@ def read_catalogue(
     rows = list(csv.reader(line for line in lines if line.strip() and not line.startswith("#")))
     before = len(problems)
     units = _header(file, rows, problems)
+    problems += _strays(file, written, units)
     if len(problems) > before:
         return None
     values = _values(file, rows, len(units), problems)
@@ -181,6 +183,15 @@ def _header(file: str, rows: list[list[str]], problems: list[Problem]) -> dict[s
             _problem(file, "", message("The catalogue is empty."), message("Write its rows."))
         )
     return units
+
+
+def _strays(file: str, written: Mapping[str, str], units: Mapping[str, str]) -> Iterator[Problem]:
+    """Yield lines on top that are about a column which is not there: one of both is misspelt."""
+    named = {name.split(".")[1]: name for name in reversed(written) if name.startswith("column.")}
+    for column, line in named.items():
+        if units and column not in units:
+            what = message("There is no column '{column}' for this line.", column=column)
+            yield _problem(file, line, what, did_you_mean(column, units))
 
 
 def _values(

@@ -12,6 +12,7 @@ from gripcourse.text.words import Message, message
 
 _OF_ANGLES: Final = frozenset({"sin", "cos", "tan"})
 _EMPIRICAL: Final = frozenset({"formula", "at_least"})  # keys that `evaluated_in` is about
+_SHARES: Final = frozenset({"%", "permille"})
 _LIKE_WITH_LIKE: Final = frozenset({"+", "-", "<", "<=", ">", ">=", "=="})
 
 
@@ -58,9 +59,17 @@ def bare_numbers(
 
 
 def _remedy(key: str, name: str, unit: str) -> Message:
+    if key in _EMPIRICAL and unit in _SHARES:
+        return message(
+            "If the number is a share, declare {name} as one, without a unit: 0.05 for 5 %. Else "
+            'write evaluated_in with the unit of every name, {name} = "{unit}" among them.',
+            name=name,
+            unit=unit,
+        )
     if key in _EMPIRICAL:
         return message(
-            'Write evaluated_in = {{ {name} = "{unit}" }} beside it, or the number in SI.',
+            "Write the number in SI, or evaluated_in with the unit of every name, "
+            '{name} = "{unit}" among them.',
             name=name,
             unit=unit,
         )

@@ -59,7 +59,7 @@ def _point_faults(
 ) -> Iterator[Problem]:
     """Yield the problems of points that some drawn element uses."""
     used = {name for one in drawn for names_ in one.points.values() for name in names_}
-    for name in diagram.points.keys() & used:
+    for name in (one for one in diagram.points if one in used):
         place = _FormulaPlace(scheme, diagram.file, f"point.{name}", is_shared=False)
         for formula in diagram.points[name]:
             yield from _formula_faults(place, formula, "mm", known)

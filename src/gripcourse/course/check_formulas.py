@@ -8,6 +8,7 @@ import numpy as np
 from gripcourse.course.check_bare import bare_numbers
 from gripcourse.course.check_guards import check_guard
 from gripcourse.course.check_slips import alternative_faults, slip_faults
+from gripcourse.course.dashes import dashed_names
 from gripcourse.course.quantity import Kind, Quantity
 from gripcourse.errors import Problem
 from gripcourse.formula.dimension import check_dimension
@@ -70,7 +71,7 @@ def check_formulas(
                     one.file,
                     f"quantity.{one.id}.{key}",
                     fault.what,
-                    _units_remedy(key),
+                    _units_remedy(key, formula, quantities),
                     caret(formula.text, fault.span),
                 )
         yield from slip_faults(one, columns)
@@ -126,7 +127,11 @@ def _keyed_formulas(one: Quantity) -> Iterator[tuple[str, Formula, bool]]:
         yield f"alternative.{other.id}", other.formula, False
 
 
-def _units_remedy(key: str) -> Message:
+def _units_remedy(key: str, formula: Formula, quantities: Mapping[str, Quantity]) -> Message:
+    if formula.units and not formula.units.keys() >= set(formula.names):
+        units = {name: quantities[name].unit for name in formula.names} | dict(formula.units)
+        written = ", ".join(f'{name} = "{unit}"' for name, unit in units.items())
+        return message("Name all of them: evaluated_in = {{ {units} }}.", units=written)
     if not key.startswith("slip."):
         return message("Compare the units of both sides.")
     return message(
@@ -158,8 +163,19 @@ def _name_faults(
     elsewhere: Mapping[str, Collection[str]],
 ) -> Iterator[Problem]:
     place = f"quantity.{one.id}.{key}"
+    dashed = list(dashed_names(formula.text, usable))
+    for each in dashed:
+        yield Problem(
+            one.file,
+            place,
+            message("A dash in a name counts as a minus sign."),
+            message("Write '{name}'.", name=each.name),
+            caret(formula.text, each.span),
+        )
     for part in walk(formula.tree):
         match part:
+            case Name(_, span) if any(each.holds(span) for each in dashed):
+                continue
             case Name(name, span) if name not in CONSTANTS and name not in usable:
                 yield Problem(
                     one.file,

@@ -3,6 +3,7 @@
 import math
 from typing import Final
 
+from gripcourse.course.dashes import without_dashes
 from gripcourse.course.declare_formulas import (
     optional_formula,
     read_alternatives,
@@ -37,8 +38,12 @@ _TRUTH_BOUNDS = (0.0, 1.0)
 
 
 def declare(identifier: str, table: Table, *, constant: bool = False) -> Quantity:
-    """Read one quantity; its faults are recorded."""
+    """Read one quantity; its faults are recorded.
+
+    One whose name has dashes is known by the name that formulas can use: who uses it is right.
+    """
     _check_id(identifier, table)
+    identifier = without_dashes(identifier)
     kind = Kind.CONSTANT if constant else _kind(table)
     if kind is None:
         return _stand_in(identifier, table)
@@ -105,7 +110,7 @@ def _check_id(identifier: str, table: Table) -> None:
         table.add(
             "",
             message("A formula cannot use the name '{name}'.", name=identifier),
-            message("Take Latin letters, digits and _, and no function's name."),
+            message("Take Latin letters, digits and _, no dash and no function's name."),
         )
 
 

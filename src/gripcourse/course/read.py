@@ -6,6 +6,7 @@ from pathlib import Path
 
 from gripcourse.course.catalogue import read_catalogue
 from gripcourse.course.compose import inherited
+from gripcourse.course.dashes import without_dashes
 from gripcourse.course.declare import declare
 from gripcourse.course.diagram import Element, read_elements
 from gripcourse.course.equations import read_equations
@@ -94,18 +95,19 @@ def _parts(
             continue
         table.known_keys()
         motion = table.table("kinematics")
+        written = table.named_tables("quantity")
         raw[path.stem] = RawPart(
-            table.named_tables("quantity"),
+            {without_dashes(name): one for name, one in written.items()},
             table.named_tables("override"),
             None if motion is None else read_kinematics(motion),
         )
-        quantities = _quantities(raw[path.stem].quantities)
-        parts[path.stem] = Part(path.stem, quantities, table.file)
+        parts[path.stem] = Part(path.stem, _quantities(written), table.file)
     return parts, raw
 
 
 def _quantities(tables: Mapping[str, Table], *, constant: bool = False) -> dict[str, Quantity]:
-    return {name: declare(name, table, constant=constant) for name, table in tables.items()}
+    declared = (declare(name, table, constant=constant) for name, table in tables.items())
+    return {one.id: one for one in declared}
 
 
 def _scheme_folders(folder: Path) -> list[Path]:

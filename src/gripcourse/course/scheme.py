@@ -63,7 +63,8 @@ def read_scheme(folder: Path, root: Path, shared: Shared, problems: list[Problem
         options=options,
         own_rules=read_rules(table, "option_rule"),
         quantities={
-            name: declare(name, one) for name, one in table.named_tables("quantity").items()
+            one.id: one
+            for one in (declare(*each) for each in table.named_tables("quantity").items())
         },
         overrides=read_overrides(table, part_ids, shared.parts, complete=all_options is not None),
         optional_overrides=read_optional_overrides(table, optional, shared.parts),
