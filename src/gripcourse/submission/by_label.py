@@ -1,8 +1,8 @@
 """Answers found again by the titles in their rows, where rows were sorted or inserted.
 
-Names travel with their cells only while a spreadsheet program moves both. Whoever sorts rows, inserts
-one or renames a sheet with a program that leaves names where they were, has right numbers in cells
-that no name points to.
+Names travel with their cells only while a spreadsheet program moves both. Whoever sorts rows,
+inserts one or renames a sheet with a program that leaves names where they were, has right numbers
+in cells that no name points to.
 """
 
 from collections import defaultdict
