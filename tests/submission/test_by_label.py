@@ -87,3 +87,21 @@ def test_a_row_of_whose_title_there_are_two_is_left_as_it_is(returned: "Returned
     read = returned.read(returned.saved(book))
     assert read.moved == ()
     assert read.answers[next(iter(rows))].reading is Reading.READ
+
+
+def test_a_sheet_that_only_bears_another_name_keeps_its_answers(returned: "Returned") -> None:
+    """Not every program that renames a sheet tells the names so."""
+    book, sheet, _ = filled(returned)
+    sheet.title = "Sheet of mine"
+    book.create_sheet("Notes", 0)
+    read = returned.read(returned.saved(book))
+    assert {name: read.answers[name].value for name in typed(returned)} == typed(returned)
+    assert set(read.moved) == set(typed(returned))
+
+
+def test_answers_whose_sheet_was_removed_are_blank(returned: "Returned") -> None:
+    book, sheet, _ = filled(returned)
+    book.remove(sheet)
+    read = returned.read(returned.saved(book))
+    assert {read.answers[name].reading for name in typed(returned)} == {Reading.BLANK}
+    assert read.moved == ()

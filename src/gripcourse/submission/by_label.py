@@ -1,11 +1,12 @@
 """Answers found again by the titles in their rows, where rows were sorted or inserted.
 
-Names travel with their cells only while a spreadsheet program moves both. Whoever sorts rows, or
-inserts one with a program that leaves names where they were, has right numbers in wrong cells.
+Names travel with their cells only while a spreadsheet program moves both. Whoever sorts rows,
+inserts one or renames a sheet with a program that leaves names where they were, has right numbers
+in cells that no name points to.
 """
 
 from collections import defaultdict
-from collections.abc import Iterable, Mapping
+from collections.abc import Collection, Iterable, Mapping
 from dataclasses import dataclass
 from functools import lru_cache
 from typing import Final
@@ -41,16 +42,28 @@ def by_label(raw: RawWorkbook, quantities: Iterable[Quantity]) -> Relabelled:
         if cell.label:
             rows[_plain(cell.label)].append(cell)
     answers, moved = dict(raw.answers), []
-    for name, cell in raw.answers.items():
-        known = titles.get(name, set())
-        is_unlabelled = not cell.label and (cell.value is not None or cell.formula != "")
-        if is_unlabelled or not known or _plain(cell.label) in known:
+    named = {_sheet_of(cell) for cell in raw.answers.values()}
+    for name, known in titles.items():
+        cell = raw.answers.get(name)
+        if cell is not None and _stands(cell, known):
             continue
         found = [one for title in sorted(known) for one in rows.get(title, ())]
+        if cell is None:  # removed, unless its whole sheet only bears another name
+            found = [one for one in found if _sheet_of(one) not in named]
         if len(found) == 1:
             answers[name] = found[0]
             moved.append(name)
     return Relabelled(answers, tuple(moved))
+
+
+def _sheet_of(cell: RawCell) -> str:
+    return cell.cell.rpartition("!")[0]
+
+
+def _stands(cell: RawCell, titles: Collection[str]) -> bool:
+    """Tell whether an answer is where its name says: beside its title, or beside none at all."""
+    is_unlabelled = not cell.label and (cell.value is not None or cell.formula != "")
+    return is_unlabelled or _plain(cell.label) in titles
 
 
 @lru_cache(maxsize=_KEPT)

@@ -9,10 +9,10 @@ import hashlib
 import re
 import zipfile
 import zlib
-from collections.abc import Collection, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import PurePath
-from typing import Final, NamedTuple
+from typing import Final
 from xml.etree.ElementTree import Element
 
 from gripcourse.machine.content import (
@@ -37,6 +37,7 @@ from gripcourse.submission.harmless import about_damage, about_lost_formats
 from gripcourse.submission.identity import creator_of, identity_of
 from gripcourse.submission.looks import looks_of
 from gripcourse.submission.model import Rejected, WhyRefused
+from gripcourse.submission.named_places import NamedPlace, places_beside
 from gripcourse.submission.other_workbooks import about_other_workbooks
 from gripcourse.submission.raw import RawCell, RawWorkbook
 from gripcourse.text.words import Message, message
@@ -59,17 +60,6 @@ _SUFFIXES: Final = frozenset({".xlsx", ".xlsm"})
 _ANSWER: Final = names.cell_name(names.ANSWER, "")
 # Columns from a title to its answer.
 _TO_TITLE: Final = SheetColumn.VALUE - SheetColumn.TITLE
-# Rows above the first answer and below the last one that an answer may have been moved to.
-_FURTHER: Final = 30
-_LONGEST: Final = 1_000  # rows from the first answer of a column to where others are looked for
-_MOST_BESIDE: Final = 20_000  # places in columns of answers; a workbook has some hundreds
-
-
-class _Named(NamedTuple):
-    """Where one of our names points to."""
-
-    sheet: str
-    place: Place
 
 
 @dataclass(frozen=True, slots=True)
@@ -157,15 +147,15 @@ def _read(package: Package, file: str, digest: str) -> RawWorkbook | WhyRefused:
     )
 
 
-def _named(package: Package, workbook: str) -> dict[str, _Named]:
+def _named(package: Package, workbook: str) -> dict[str, NamedPlace]:
     """Find where our names point to; the workbook's own names win over those of single sheets."""
-    found: dict[str, _Named] = {}
+    found: dict[str, NamedPlace] = {}
     for name, reference in _definitions(package, workbook):
         sheet, _, cells = reference.rpartition("!")
         place = place_of(cells.partition(":")[0])
         if place is not None:
             title = sheet.removeprefix("'").removesuffix("'").replace("''", "'")
-            found.setdefault(name, _Named(title, place))
+            found.setdefault(name, NamedPlace(title, place))
     return found
 
 
@@ -184,10 +174,11 @@ def _definitions(package: Package, workbook: str) -> Iterator[tuple[str, str]]:
     return ((name, text) for _, name, text in sorted(ours, key=lambda one: one[0]))
 
 
-def _cells(package: Package, workbook: str, named: Mapping[str, _Named]) -> _NamedCells:
+def _cells(package: Package, workbook: str, named: Mapping[str, NamedPlace]) -> _NamedCells:
     """Read the cells that our names point to, and those of their columns that none points to.
 
-    Cells whose sheet is gone are left out.
+    Cells whose sheet is gone are left out; where it only has another name, its rows are among those
+    that none points to.
 
     Raises:
         KeyError: a sheet is listed that has no cells, not even blank ones, and answers were there.
@@ -195,10 +186,10 @@ def _cells(package: Package, workbook: str, named: Mapping[str, _Named]) -> _Nam
     answers = {one for name, one in named.items() if name.startswith(_ANSWER)}
     if lost := package.lost_sheets(workbook) & {one.sheet for one in answers}:
         raise KeyError(*lost)
-    beside = set(_beside(answers))
+    parts = package.sheets(workbook)
+    beside = places_beside(answers, set(named.values()), parts)
     labels = {one: _label_of(one) for one in (*answers, *beside)}
     wanted_places = {*named.values(), *beside, *labels.values()}
-    parts = package.sheets(workbook)
     places: dict[str, set[Place]] = {}
     for one in wanted_places:
         if one.sheet in parts:
@@ -208,7 +199,7 @@ def _cells(package: Package, workbook: str, named: Mapping[str, _Named]) -> _Nam
     stored = [cell for sheet in located.values() for _, cell in sheet.stored.values()]
     look = looks_of(package, workbook, stored)
 
-    def raw(where: _Named, label: str = "") -> RawCell:
+    def raw(where: NamedPlace, label: str = "") -> RawCell:
         place, cell = sheets[where.sheet].stored[where.place]
         content, number_format = look.shown(cell)
         return RawCell(
@@ -220,7 +211,7 @@ def _cells(package: Package, workbook: str, named: Mapping[str, _Named]) -> _Nam
             label=label,
         )
 
-    def label_of(where: _Named) -> str:
+    def label_of(where: NamedPlace) -> str:
         sheet, place = labels[where]
         _, cell = sheets[sheet].stored[place]
         if cell is EMPTY:
@@ -242,33 +233,13 @@ def _cells(package: Package, workbook: str, named: Mapping[str, _Named]) -> _Nam
     )
 
 
-def _label_of(where: _Named) -> _Named:
+def _label_of(where: NamedPlace) -> NamedPlace:
     """Return where the title of a quantity stands, by the place of its answer."""
     row, column = where.place
-    return _Named(where.sheet, (row, max(column - _TO_TITLE, 1)))
+    return NamedPlace(where.sheet, (row, max(column - _TO_TITLE, 1)))
 
 
-def _beside(answers: Collection[_Named]) -> Iterator[_Named]:
-    """Yield the places of answers' columns that no name points to, some rows further too.
-
-    Raises:
-        OverflowError: names are scattered over far more places than answers take.
-    """
-    columns: dict[tuple[str, int], set[int]] = {}
-    for sheet, (row, column) in answers:
-        columns.setdefault((sheet, column), set()).add(row)
-    spans = {
-        one: (max(1, min(rows) - _FURTHER), min(max(rows), min(rows) + _LONGEST) + _FURTHER)
-        for one, rows in columns.items()
-    }
-    if sum(last - first for first, last in spans.values()) > _MOST_BESIDE:
-        raise OverflowError(len(columns))
-    for (sheet, column), rows in columns.items():
-        for row in set(range(*spans[sheet, column])) - rows:
-            yield _Named(sheet, (row, column))
-
-
-def _order(where: _Named) -> tuple[str, Place]:
+def _order(where: NamedPlace) -> tuple[str, Place]:
     return where.sheet, where.place
 
 

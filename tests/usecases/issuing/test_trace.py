@@ -11,11 +11,19 @@ from gripcourse.cli.trace import trace_text
 from gripcourse.course.model import Course
 from gripcourse.course.quantity import Kind
 from gripcourse.errors import UsageError
+from gripcourse.issuing.register import Register
 from gripcourse.solver.plan import Plan, make_plan
 from gripcourse.solver.solve import solve_variant
 from gripcourse.text.number_text import format_number
 from gripcourse.text.words import LANGUAGES, Words
-from gripcourse.usecases.issuing.trace import Sought, Traced, in_register, in_table, trace
+from gripcourse.usecases.issuing.trace import (
+    Sought,
+    Traced,
+    among_issued,
+    in_register,
+    in_table,
+    trace,
+)
 from gripcourse.variants.model import Variant
 
 if TYPE_CHECKING:
@@ -113,6 +121,18 @@ def test_the_register_names_the_students(issued: "Classroom") -> None:
     text = trace_text(traced, Words("uk"))
     assert traced.students[traced.origins[0].owner] == ("Шевченко Оксана (s02)",)
     assert "Шевченко" in text.splitlines()[3]
+
+
+def test_a_variant_issued_again_with_other_numbers_bears_the_number_of_its_version(
+    issued: "Classroom",
+) -> None:
+    first = issued.register["s02"]
+    heavier = {**first.variant.given, "mass": first.variant.given["mass"] + 1}
+    third = replace(first, variant=replace(first.variant, given=heavier), version=3)
+    register = Register(issued.course.id, (third,), (first,))
+    sought = among_issued(register, {}, first.declarations)
+    name = first.variant.id
+    assert sought.variants == {name: first.variant, f"{name}/3": third.variant}
 
 
 def test_a_replaced_version_is_computed_by_its_own_declarations_and_that_is_said(

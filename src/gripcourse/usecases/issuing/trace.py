@@ -11,6 +11,7 @@ from gripcourse.course.model import Course
 from gripcourse.course.quantity import Kind, Quantity
 from gripcourse.errors import NextStep, Problem, UsageError
 from gripcourse.gradebook.fingerprint import fingerprints
+from gripcourse.issuing.register import Register
 from gripcourse.issuing.store import read_register
 from gripcourse.likeness.issued import issued_values
 from gripcourse.likeness.trace import Clue, Origin, rank
@@ -81,25 +82,39 @@ def in_register(root: Path, course: Course) -> Sought:
         UsageError: nothing was issued there.
     """
     register = read_register(root, course.id)
-    entries = [(one, False) for one in register.entries]
-    entries += [(one, True) for one in register.earlier]
-    if not entries:
+    if not register.entries and not register.earlier:
         what = message("Nothing was issued from this course.")
         remedy = message("Name another folder, or a table of variants.")
         raise UsageError([Problem(str(root), "", what, remedy, step=NextStep.NAME_TABLE)])
-    states, today = kept_declarations(root, register), fingerprints(course.root).course
+    return among_issued(
+        register, kept_declarations(root, register), fingerprints(course.root).course
+    )
+
+
+def among_issued(register: Register, states: Mapping[str, Course], today: str) -> Sought:
+    """Look among the versions of a register.
+
+    A variant that was issued again with other numbers bears the number of its version: `019/2`.
+
+    Args:
+        register: what was issued.
+        states: the declarations that versions were issued with, by their fingerprints.
+        today: the fingerprint of the course's declarations.
+    """
+    entries = [(one, True) for one in register.earlier]
+    entries += [(one, False) for one in register.entries]
     variants: dict[str, Variant] = {}
     students: dict[str, tuple[str, ...]] = {}
     kept: dict[str, Course] = {}
     changed: dict[str, None] = {}
-    for entry, is_replaced in entries:
+    for entry, is_replaced in sorted(entries, key=lambda one: one[0].version):
         # As works are graded: only a version that was replaced has declarations of its own.
         state = states.get(entry.declarations) if is_replaced else None
         same = (
             key for key, one in variants.items() if one == entry.variant and kept.get(key) is state
         )
         # An id can be issued again with other values, after the table was changed.
-        key = next(same, _free(entry.variant.id, variants))
+        key = next(same, _free(entry.variant.id, entry.version, variants))
         variants[key] = entry.variant
         if state is not None:
             kept[key] = state
@@ -110,9 +125,11 @@ def in_register(root: Path, course: Course) -> Sought:
     return Sought(variants, students, kept, tuple(changed))
 
 
-def _free(name: str, taken: Mapping[str, Variant]) -> str:
-    suffixes = (f"{name}/{number}" for number in range(2, len(taken) + 3))
-    return next(one for one in (name, *suffixes) if one not in taken)
+def _free(name: str, version: int, taken: Mapping[str, Variant]) -> str:
+    if name not in taken:
+        return name
+    numbers = range(max(version, 2), version + len(taken) + 2)
+    return next(one for one in (f"{name}/{number}" for number in numbers) if one not in taken)
 
 
 def trace(
