@@ -109,11 +109,7 @@ def _intended(
     rounded = traits.right and not traits.equals_reference and not traits.follows
     # A number that was written into the wrong cell was not the one that was computed with.
     in_wrong_cell = traits.mistake and one.judgement.elsewhere
-    is_used_rightly = traits.mistake and (
-        _is_used_rightly(case, comparison, judged)
-        or (not traits.named and _is_judged_rightly(case, comparison, judged))
-    )
-    if rounded or in_wrong_cell or is_used_rightly:
+    if rounded or in_wrong_cell or (traits.mistake and _is_used_rightly(case, comparison, judged)):
         return replace(comparison.answer, value=comparison.expected)
     return _written_wrongly(case, one, comparison) if traits.named else None
 
@@ -145,27 +141,6 @@ def _is_used_rightly(
         and one.judgement.outcome.traits.equals_reference
         and not one.comparison.fits(one.comparison.follows.nearest(one.comparison.value))
         for one in judged
-    )
-
-
-def _is_judged_rightly(
-    case: GradingCase, comparison: Comparison, judged: Sequence[JudgedAnswer]
-) -> bool:
-    """Tell whether a verdict is right that the number as written contradicts.
-
-    Nobody says the opposite of the numbers that they compare: who wrote a number that nothing
-    explains, and computed nothing from it, compared the right one.
-    """
-    name = comparison.quantity.id
-    using = [one for one in judged if name in case.plan.inputs[one.quantity.id]]
-    return any(
-        one.quantity.kind is Kind.VERDICT
-        and one.comparison is not None
-        and one.judgement.outcome.traits.mistake
-        and one.comparison.fits(one.comparison.reference)
-        for one in using
-    ) and not any(
-        one.quantity.kind is Kind.FORMULA and one.judgement.outcome.traits.follows for one in using
     )
 
 
