@@ -36,3 +36,14 @@ def test_where_there_is_one_look_a_subscript_is_small_signs_or_stands_beside(
     text: str, plain: str
 ) -> None:
     assert without_looks(text) == plain
+
+
+def test_a_subscript_of_two_parts_is_one_and_a_list_is_none() -> None:
+    assert list(subscript_runs("not below w_2,req;")) == [
+        ("not below w", False),
+        ("2,req", True),
+        (";", False),
+    ]
+    assert [run for run, below in subscript_runs("d_1,d_2, and h_1, then") if below] == [
+        *("1", "2", "1"),
+    ]

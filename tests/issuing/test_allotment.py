@@ -106,7 +106,7 @@ def test_who_is_not_in_a_later_list_keeps_the_variant() -> None:
     register = issued([student("a")], table(3))
     later = extend(register, [student("b")], table(3), TERMS)
     assert allotted(later) == {"a": "001", "b": "002"}
-    assert "1 students who have a variant are not in this list" in str(later.notes[0])
+    assert "1 student who has a variant is not in this list" in str(later.notes[0])
 
 
 def test_a_corrected_name_and_language_are_taken_over_and_nothing_else() -> None:

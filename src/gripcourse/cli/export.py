@@ -22,7 +22,7 @@ from gripcourse.cli.options import (
     main_table,
     words_for,
 )
-from gripcourse.text.words import Message, Words, message
+from gripcourse.text.words import Message, Words, counted, message
 
 # Every command imports what it needs itself: the tables cost half a second.
 # ruff: noqa: PLC0415
@@ -55,9 +55,10 @@ def moodle(
     words = words_for(language)
     results = open_results(course_folder(course), grades)
     filled, lacking = moodle_files(results, worksheet, out, feedback)
-    said = message(
+    said = counted(
+        "{count} row of {file} has a grade; Moodle should say that it updated {updates}.",
         "{count} rows of {file} have a grade; Moodle should say that it updated {updates}.",
-        count=filled.filled,
+        filled.filled,
         updates=filled.updates,
         file=str(out),
     )
@@ -110,7 +111,8 @@ def canvas(
     words = words_for(language)
     results = open_results(course_folder(course), grades)
     filled = canvas_file(results, gradebook, assignment, out)
-    said = message("{count} rows of {file} have points.", count=filled.filled, file=str(out))
+    said = counted("{count} row of {file} has points.", "{count} rows of {file} have points.",
+                   filled.filled, file=str(out))  # fmt: skip
     confirm(words.say(said))
     _leave((*results.notes, *filled.notes), words)
 
@@ -172,8 +174,9 @@ def outbox(
     words = words_for(language)
     results = open_results(course_folder(course), grades)
     folders = outbox_folders(results, out)
-    said = message("{count} folders are in {folder}; nothing was sent.",
-                   count=len(folders), folder=str(out))  # fmt: skip
+    said = counted("{count} folder is in {folder}; nothing was sent.",
+                   "{count} folders are in {folder}; nothing was sent.",
+                   len(folders), folder=str(out))  # fmt: skip
     confirm(words.say(said))
     _leave(results.notes, words)
 

@@ -9,7 +9,7 @@ from gripcourse.cli import times_text
 from gripcourse.cli.table_layout import table_text
 from gripcourse.grading.flag_code import FlagCode
 from gripcourse.text.shown import one_line
-from gripcourse.text.words import Words, message
+from gripcourse.text.words import Words, counted, message
 
 # `gripcourse --help` needs nothing of what is graded.
 # ruff: noqa: PLC0415
@@ -251,7 +251,13 @@ def marking_text(marking: "Marking", context: "GradingContext", words: Words) ->
         lines.append(words.say(said))
     if marking.unchanged:
         lines.append(
-            words.say(message("{count} marks were just so already.", count=marking.unchanged))
+            words.say(
+                counted(
+                    "{count} mark was just so already.",
+                    "{count} marks were just so already.",
+                    marking.unchanged,
+                )
+            )
         )
     if marking.empty:
         lines.append(

@@ -6,7 +6,7 @@ from functools import reduce
 from typing import Final
 
 from gripcourse.errors import NextStep, Problem
-from gripcourse.text.words import Message, Words, message
+from gripcourse.text.words import Message, Words, counted, message
 
 # Parameters of the library that are called otherwise here; all others are called alike.
 _OPTIONS: Final[Mapping[str, str]] = {
@@ -44,7 +44,9 @@ def said_of(problems: Sequence[Problem], words: Words) -> Iterator[str]:
     yield from (spoken(one, words) for one in merged[:_MOST])
     if len(merged) > _MOST:
         left = len(merged) - _MOST
-        yield words.say(message("And {count} more problems. Mend these first.", count=left))
+        more = counted("And {count} more problem. Mend these first.",
+                       "And {count} more problems. Mend these first.", left)  # fmt: skip
+        yield words.say(more)
 
 
 def _merged(problems: Iterable[Problem]) -> Iterator[Problem]:

@@ -9,7 +9,7 @@ from gripcourse.cli.table_layout import table_text
 from gripcourse.cli.text import misuse
 from gripcourse.text.shown import shown
 from gripcourse.text.suggestion import did_you_mean
-from gripcourse.text.words import Message, Words, message
+from gripcourse.text.words import Message, Words, counted, message
 
 # `gripcourse --help` needs nothing of what is graded.
 # ruff: noqa: PLC0415
@@ -90,10 +90,11 @@ def applied_text(done: Sequence["Attempt"], words: Words) -> str:
     """Return what stands since a regrade was applied."""
     if not done:
         return words.say(message("Nothing was changed: all of it stands just so already."))
-    said = message(
+    said = counted(
+        "Regrade {number} was applied to {count} work. Grade again to renew the reports.",
         "Regrade {number} was applied to {count} works. Grade again to renew the reports.",
+        len(done),
         number=done[0].regrade or 0,
-        count=len(done),
     )
     return words.say(said)
 
@@ -109,7 +110,11 @@ def published_text(told: Sequence["Published"], words: Words) -> str:
     if not told:
         return words.say(message("Everybody was told just so already."))
     return words.say(
-        message("{count} results are published; a regrade may change them.", count=len(told))
+        counted(
+            "{count} result is published; a regrade may change it.",
+            "{count} results are published; a regrade may change them.",
+            len(told),
+        )
     )
 
 

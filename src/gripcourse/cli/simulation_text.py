@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from gripcourse.cli.foreign_text import Layout, foreign_tables, percent, rate_cells, rates_table
 from gripcourse.cli.table_layout import table_text
-from gripcourse.text.words import Words, message
+from gripcourse.text.words import Words, counted, message
 
 # `gripcourse --help` needs nothing of what is measured.
 # ruff: noqa: PLC0415
@@ -101,11 +101,13 @@ def evaluation_text(
         *_strategies(found, words, layout),
         *foreign_tables(found.foreign, words, layout),
         words.say(
-            message(
-                "Of {tried} places tried for slips {hidden} change the answer too little for "
+            counted(
+                "Of {tried} places tried for slips {count} changes the answer too little for "
                 "anybody to see.",
+                "Of {tried} places tried for slips {count} change the answer too little for "
+                "anybody to see.",
+                found.hidden,
                 tried=found.tried,
-                hidden=found.hidden,
             )
         ),
     ]

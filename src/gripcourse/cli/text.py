@@ -158,7 +158,7 @@ def audit_text(audited: "WrittenAudit", words: Words) -> str:
         *_overlap_lines(found, audited.tested),
         message("At most {share} % of the points of computed quantities are shared.",
                 share=round(100 * share, 1)),
-        message("The longest assignment has {ratio} times as many answers as the shortest.",
+        message("Answers of the longest assignment for each of the shortest: {ratio}.",
                 ratio=round(found.ratio, 2)),
         *_monotony_lines(found),
     ]  # fmt: skip

@@ -10,7 +10,7 @@ from gripcourse.course.view import SHAPES, Expression, Need, Ring, View, ViewPar
 from gripcourse.errors import Problem
 from gripcourse.formula.dimension import check_dimension
 from gripcourse.formula.parse import FormulaFault, caret
-from gripcourse.formula.tree import Formula
+from gripcourse.formula.tree import Formula, Negation, Node, Operation
 from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.units import Dimension, dimension
 from gripcourse.text.words import message
@@ -56,6 +56,7 @@ def check_view(
     for file, key, formula, unit in _places(view):
         unknown = _unknown_names(scheme.id, view, (file, key, formula, unit), known)
         yield from unknown or _formula_faults((file, key, formula, unit), known, columns)
+    yield from _behind_the_plane(view)
     yield from _circle(view)
     yield from _grade_faults(view)
 
@@ -172,6 +173,31 @@ def _part_places(part: ViewPart) -> Iterator[Place]:
             yield part.file, f"{key}.count", repeat.count, _COUNT
             place = repeat.about if isinstance(repeat, Ring) else repeat.step
             yield from _lengths(part.file, key, place)
+
+
+def _behind_the_plane(view: View) -> Iterator[Problem]:
+    """Yield depths that begin below zero: both sides are meant, and would be counted twice."""
+    for part in view.parts:
+        depths = [(part.key, part.depth), *((one.key, one.depth) for one in part.shapes)]
+        for key, depth in depths:
+            if depth and depth[0] is not None and _is_below_zero(depth[0].tree):
+                yield Problem(
+                    part.file,
+                    f"{key}.depth",
+                    message("A depth is counted on both sides of the plane of the main view."),
+                    message('Write [0, "…"], to half the thickness.'),
+                )
+
+
+def _is_below_zero(node: Node) -> bool:
+    """Tell whether a formula of lengths is written with a minus sign before all of it."""
+    match node:
+        case Negation():
+            return True
+        case Operation("*" | "/", left, _):
+            return _is_below_zero(left)
+        case _:
+            return False
 
 
 def _lengths(

@@ -35,8 +35,8 @@ _MEASURE: Final = other(
     {"anyOf": [{"type": "string"}, {"type": "array", "items": {"type": "string"}}]},
 )
 _DEPTH: Final = other(
-    "Where it lies: from and to, lengths from the plane of the main view, on both sides of it;"
-    " absent: all through.",
+    "Where it lies: from and to, lengths from the plane of the main view, counted on both sides of"
+    " it: [0, half the thickness] of a plate in the middle; absent: all through.",
     _TWO,
 )
 _REPEAT: Final = Shape(

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 
 from gripcourse.grading.model import Finding, Flag, FlagCode
 from gripcourse.submission.model import Identity, Submission
-from gripcourse.text.words import message
+from gripcourse.text.words import counted, message
 from gripcourse.variants.model import Issued
 
 # Stored givens are decimal numbers; a spreadsheet program writes back 15 digits of them.
@@ -27,10 +27,12 @@ def flags_of(
 
 def _moved_flags(submission: Submission) -> Iterator[Flag]:
     if submission.moved:
-        said = message(
+        said = counted(
+            "Rows were sorted or inserted: {count} answer was taken from the row with its title. "
+            "Compare it with the file.",
             "Rows were sorted or inserted: {count} answers were taken from the rows with their "
             "titles. Compare them with the file.",
-            count=len(submission.moved),
+            len(submission.moved),
         )
         yield Flag(FlagCode.CELLS_MOVED, said)
 

@@ -9,7 +9,7 @@ from typing import Final
 from gripcourse.grading.model import Flag, FlagCode
 from gripcourse.submission.raw import OtherResult
 from gripcourse.submission.understand import cell_text
-from gripcourse.text.words import message
+from gripcourse.text.words import counted, message
 
 _SHOWN: Final = 10
 _LONGEST_FORMULA: Final = 60  # characters
@@ -19,12 +19,16 @@ def results_flags(others: Sequence[OtherResult]) -> Iterator[Flag]:
     """Yield the flag of formulas that store other results than they have, with the evidence."""
     if others:
         cells = "; ".join(map(_evidence, others[:_SHOWN]))
-        said = message(
+        said = counted(
+            "LibreOffice computes another result than {count} formula stores (stored → computed): "
+            "{cells}. The stored one counts. Functions of time or chance, links to other files and "
+            "functions that LibreOffice does not know make such differences too: look at the "
+            "formula in the file before you ask.",
             "LibreOffice computes other results than {count} formulas store (stored → computed): "
             "{cells}. The stored ones count. Functions of time or chance, links to other files and "
             "functions that LibreOffice does not know make such differences too: look at the "
             "formulas in the file before you ask.",
-            count=len(others),
+            len(others),
             cells=cells if len(others) <= _SHOWN else f"{cells}; …",
         )
         yield Flag(FlagCode.RESULTS_DIFFER, said)

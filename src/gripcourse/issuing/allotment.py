@@ -8,7 +8,7 @@ from gripcourse.errors import Problem, TableError
 from gripcourse.issuing.register import Register
 from gripcourse.issuing.signature import sign
 from gripcourse.text.suggestion import did_you_mean
-from gripcourse.text.words import Message, message
+from gripcourse.text.words import Message, counted, message
 from gripcourse.variants.model import Issued, Student, Variant
 
 
@@ -210,6 +210,11 @@ def _notes(
             notes.append(message("{student} keeps the deadline {deadline}.", student=name,
                                  deadline=before))  # fmt: skip
     if absent:
-        notes.append(message("{count} students who have a variant are not in this list and keep"
-                             " it.", count=absent))  # fmt: skip
+        notes.append(
+            counted(
+                "{count} student who has a variant is not in this list and keeps it.",
+                "{count} students who have a variant are not in this list and keep it.",
+                absent,
+            )
+        )
     return tuple(notes)

@@ -10,7 +10,7 @@ from dataclasses import replace
 from typing import TypeAlias
 
 from gripcourse.text.spelling import plain
-from gripcourse.text.words import Message, message
+from gripcourse.text.words import Message, counted, message
 from gripcourse.variants.model import Student
 
 _NOT_OF_ID = re.compile(r"[^\w.-]+")
@@ -111,10 +111,12 @@ def _free(wanted: str, taken: set[str]) -> str:
 def _note(made: Sequence[str]) -> tuple[Message, ...]:
     if not made:
         return ()
-    said = message(
+    said = counted(
+        "The list has no id for {count} student; it was made of the mail address or the name and"
+        " is kept from now on: {first}.",
         "The list has no ids for {count} students; they were made of mail addresses or names and"
         " are kept from now on, {first} for example.",
-        count=len(made),
+        len(made),
         first=made[0],
     )
     return (said,)

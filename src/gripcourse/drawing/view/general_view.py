@@ -74,10 +74,10 @@ def general_view(
         CourseError: no sheet has room for the views at any scale.
     """
     plain = figure(plan, view, values)
-    notes = tuple(_notes(view, plan, values, words))
-    lines = sum(1 + len(one.lines) for one in notes)
-
     details = details_of(plain, plan, view, values)
+    required = _required(view, words, starred=bool(plain.overall or details))
+    notes = tuple(_notes(_characteristics(view, plan, values, words), required))
+    lines = sum(1 + len(one.lines) for one in notes)
     main = plain.extents[Face.MAIN]
     pictured = Pictured(max(main.width, main.height), plain.detail)
     content = _content(plain, details, words)
@@ -192,14 +192,24 @@ def _mass(plan: Plan, view: View, values: Mapping[str, float], words: Words) -> 
     return "" if mass is None else words.number(mass, _MASS_FIGURES)
 
 
-def _notes(view: View, plan: Plan, values: Mapping[str, float], words: Words) -> Iterator[Notes]:
+def _characteristics(
+    view: View, plan: Plan, values: Mapping[str, float], words: Words
+) -> tuple[str, ...]:
+    return tuple(_lines(view, plan, values, words))[:_MOST_LINES]
+
+
+def _required(view: View, words: Words, *, starred: bool) -> tuple[str, ...]:
+    """Return the technical requirements; what an asterisk means is said where the view does not."""
+    declared = [one.of(words.language) for one in view.requirements]
+    if starred and not any(map(is_explanation, declared)):
+        declared.append(words.say(message("* Dimensions for reference.")))
+    return tuple(sorted(declared, key=is_explanation))
+
+
+def _notes(characteristics: tuple[str, ...], required: tuple[str, ...]) -> Iterator[Notes]:
     """Yield what is written beside the drawing, without empty parts."""
-    lines = tuple(_lines(view, plan, values, words))[:_MOST_LINES]
-    required = tuple(
-        sorted((one.of(words.language) for one in view.requirements), key=is_explanation)
-    )
     for heading, found in (
-        (message("Technical characteristics"), lines),
+        (message("Technical characteristics"), characteristics),
         (message("Technical requirements"), required),
     ):
         if found:
