@@ -1,9 +1,11 @@
 """What the gradebook keeps: attempts with their automatic results, and marks of persons."""
 
 from collections import defaultdict
-from collections.abc import Collection, Iterable, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from datetime import datetime
+from functools import lru_cache
+from sys import intern
 from typing import Final
 
 from gripcourse.grading.folded import Derivation, derived
@@ -11,6 +13,7 @@ from gripcourse.grading.model import Finding, Outcome, Report
 
 # Points of one policy are the same number on each machine but for the last bits.
 _POINTS_DECIMALS = 6
+_RESULTS: Final = 8192  # different ones that are remembered: some two hundred bytes each
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,9 +45,17 @@ class Result:
     points: float
     max_points: float
 
-    def __reduce__(self) -> "tuple[type[Result], tuple[str, Outcome, float, float]]":
+    def __reduce__(
+        self,
+    ) -> "tuple[Callable[[str, Outcome, float, float], Result], tuple[str, Outcome, float, float]]":
         # As findings: half the time that dataclasses take of themselves.
-        return Result, (self.quantity, self.outcome, self.points, self.max_points)
+        return result_of, (self.quantity, self.outcome, self.points, self.max_points)
+
+
+@lru_cache(maxsize=_RESULTS)
+def result_of(quantity: str, outcome: Outcome, points: float, max_points: float) -> Result:
+    """Return a result; a cohort has few different ones, and each is made once."""
+    return Result(intern(quantity), outcome, points, max_points)
 
 
 @dataclass(frozen=True, slots=True)

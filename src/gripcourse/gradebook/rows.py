@@ -1,12 +1,11 @@
 """Attempts and marks as rows of the tables, and back again."""
 
 from collections.abc import Iterable, Iterator, Sequence
-from sys import intern
 from typing import Any, TypeAlias
 
 from sqlalchemy import Row as SqlRow
 
-from gripcourse.gradebook.model import Attempt, Fingerprints, Mark, Result
+from gripcourse.gradebook.model import Attempt, Fingerprints, Mark, Result, result_of
 from gripcourse.grading.outcome import outcome_named
 from gripcourse.machine.database.moments import in_utc, stored
 
@@ -85,8 +84,7 @@ def results_of_rows(rows: Iterable[RowOfTable]) -> tuple[Result, ...]:
         rows: of each its attempt's student and number, quantity, outcome and both points.
     """
     return tuple(
-        # One text for all attempts, of which a cohort has thousands.
-        Result(intern(quantity), outcome_named(outcome), points, most)
+        result_of(quantity, outcome_named(outcome), points, most)
         for _, _, quantity, outcome, points, most in map(tuple, rows)
     )
 

@@ -66,9 +66,9 @@ def pool(works: Iterable[ComparedWork], issued: IssuedValues) -> ComparisonPool:
     of_row, of_column, told, values, units = (array(kind) for kind in "iibdd")
     for row, work in enumerate(works):
         students.append(work.student)
-        column, usable = columns.of(work.numbers.names), _usable(work.numbers)
-        chosen = np.flatnonzero(usable & (column >= 0))
-        chosen = chosen[np.argsort(column[chosen], kind="stable")]
+        column, order = columns.of(work.numbers.names)
+        usable = _usable(work.numbers)
+        chosen = order if usable.all() else order[usable[order]]
         value = work.numbers.values[chosen]
         slip = np.full(len(usable), -1, dtype=np.int32)
         for place, one in work.numbers.slips.items():
@@ -104,23 +104,31 @@ class _Columns:
     """Columns of quantities; of works that are asked for the same ones they are found once."""
 
     by_quantity: Mapping[str, int]
-    found: dict[str, NDArray[np.int32]] = field(default_factory=dict)
+    found: dict[str, tuple[NDArray[np.int32], Ints]] = field(default_factory=dict)
 
-    def of(self, names: str) -> NDArray[np.int32]:
-        """Return the columns of the quantities of a work; −1 where a variant has none of them."""
+    def of(self, names: str) -> tuple[NDArray[np.int32], Ints]:
+        """Return the columns of the quantities of a work, −1 where no variant has one; their order.
+
+        The order has places of those alone that have a column.
+        """
         if names not in self.found:
-            columns = [self.by_quantity.get(one, -1) for one in names.split()]
-            self.found[names] = np.array(columns, dtype=np.int32)
+            columns = np.array([self.by_quantity.get(one, -1) for one in names.split()], np.int32)
+            order = np.argsort(columns, kind="stable")
+            self.found[names] = columns, order[columns[order] >= 0]
         return self.found[names]
 
 
 def _usable(numbers: TypedNumbers) -> Flags:
     """Tell which numbers can say anything: a nought is nobody's, and nor is what fills cells."""
     value, explained = numbers.values, numbers.explained
-    wrong, counted = np.unique(value[~explained], return_counts=True)
-    filler = wrong[counted >= _FILLER]
     usable: Flags = (value != 0) & np.isfinite(value)
-    return usable & (explained | ~np.isin(value, filler)) if len(filler) else usable
+    wrong = np.flatnonzero(~explained)
+    if len(wrong) < _FILLER:
+        return usable
+    typed, counted = np.unique(value[wrong], return_counts=True)
+    filler = typed[counted >= _FILLER]
+    usable[wrong] &= ~np.isin(value[wrong], filler)
+    return usable
 
 
 def chance_of(pooled: ComparisonPool, found: Matches, chances: Chances) -> Floats:
