@@ -63,7 +63,7 @@ class TestOtherSlips:
 
 
 class TestRightVerdictBesideAWrongNumber:
-    """The first pin's bearing stress is computed for one question only: is it below what is allowed?
+    """The first pin's bearing stress answers one question: is it below what is allowed?
 
     It is 40 MPa where 26 are allowed, say: no. Who writes 19, and no, has compared the 40.
     """

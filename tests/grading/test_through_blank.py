@@ -220,8 +220,8 @@ def test_a_number_that_nobody_computes_stays_wrong_after_blank_steps(
 class TestVerdictOnASizeThatWasNotWritten:
     """The force of a cylinder grows with the square of its bore.
 
-    A bore of 45 mm, of the second row, gives 4428 N where 5090 N are needed: no. One of 50 mm, of the
-    first row, gives 4428·(50/45)² = 5467 N: yes. Either may be taken first.
+    A bore of 45 mm, of the second row, gives 4428 N where 5090 N are needed: no. One of 50 mm, of
+    the first row, gives 4428·(50/45)² = 5467 N: yes. Either may be taken first.
     """
 
     def asked(self, table: "tuple[Case, ...]") -> "tuple[Case, float]":
