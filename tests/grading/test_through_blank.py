@@ -215,3 +215,44 @@ def test_a_number_that_nobody_computes_stays_wrong_after_blank_steps(
                 tried += 1
     assert tried > 20
     assert accepted <= 0.05 * tried
+
+
+class TestVerdictOnASizeThatWasNotWritten:
+    """The force of a cylinder grows with the square of its bore.
+
+    A bore of 45 mm, of the second row, gives 4428 N where 5090 N are needed: no. One of 50 mm, of
+    the first row, gives 4428·(50/45)² = 5467 N: yes. Either may be taken first.
+    """
+
+    def asked(self, table: "tuple[Case, ...]") -> "tuple[Case, float]":
+        """A variant in which the reference's first bore holds, and a sound smaller one does not."""
+        for case in table:
+            answers = case.answers
+            if {"bore_first", "grip_force_first", "grip_holds", "rod"} - set(answers):
+                continue
+            if case.plan.options.get("drive") != "hydraulic" or answers["grip_holds"] != 1.0:
+                continue
+            needed = case.given["drive_reserve"] * answers["grip_force"]
+            smaller = [
+                bore
+                for bore in (36, 45, 56, 70, 90, 110, 140, 180)
+                if answers["bore_required"] <= bore < answers["bore_first"]
+                and answers["grip_force_first"] * (bore / answers["bore_first"]) ** 2 < needed
+            ]
+            if smaller:
+                return case, float(smaller[0])
+        pytest.fail("no variant has such bores")
+
+    def test_either_answer_counts(self, table: "tuple[Case, ...]") -> None:
+        case, _ = self.asked(table)
+        for holds in (1.0, 0.0):
+            answers = {**case.answers, "bore_first": None, "grip_force_first": None}
+            finding = case.findings({**answers, "grip_holds": holds})["grip_holds"]
+            assert finding.points == finding.max_points
+
+    def test_one_counts_where_the_bore_is_written(self, table: "tuple[Case, ...]") -> None:
+        case, bore = self.asked(table)
+        for taken, holds in ((bore, 0.0), (case.answers["bore_first"], 1.0)):
+            answers = {**case.answers, "bore_first": taken, "grip_force_first": None}
+            assert case.findings({**answers, "grip_holds": holds})["grip_holds"].points > 0
+            assert case.findings({**answers, "grip_holds": 1 - holds})["grip_holds"].points == 0

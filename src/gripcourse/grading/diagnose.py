@@ -56,11 +56,11 @@ def diagnose(
     """
     if comparison.quantity.kind is Kind.CHOICE:
         return _with_wrong_rule(comparison, judgement, candidates_of(comparison.quantity.id))
-    if comparison.quantity.kind not in {Kind.FORMULA, Kind.PICK}:
-        return judgement
     other_size = _with_other_size(comparison, judgement)
     if other_size is not None:
         return other_size
+    if comparison.quantity.kind not in {Kind.FORMULA, Kind.PICK}:
+        return judgement
     candidates = candidates_of(comparison.quantity.id)
     met = weigh(comparison, candidates)
     judgement = replace(judgement, alone=density_alone(comparison, met, candidates))
