@@ -12,7 +12,13 @@ from dataclasses import dataclass, replace
 from gripcourse.errors import Problem, TableError
 from gripcourse.issuing.group_titles import GroupTitles, group_titles
 from gripcourse.issuing.made_ids import with_ids
-from gripcourse.issuing.office_list import PARTS_OF_NAME, with_names, with_somebody
+from gripcourse.issuing.office_list import (
+    PARTS_OF_NAME,
+    with_addresses,
+    with_names,
+    with_somebody,
+    without_numbers,
+)
 from gripcourse.machine.content import Readable
 from gripcourse.machine.enclosed import LONGEST_NAME, is_file_name
 from gripcourse.text.spelling import plain
@@ -79,6 +85,7 @@ def read_roster(
     groups = GroupTitles() if "group" in columns else group_titles(whole)
     sheet = replace(sheet, rows=tuple(row for row in sheet.rows if row.number not in groups.rows))
     sheet, left_out = with_somebody(sheet, columns, vocabulary)
+    sheet, no_addresses = with_addresses(without_numbers(sheet, columns), columns)
     if not problems:
         reader = _Reader(sheet, columns, languages, groups, problems)
         students = tuple(reader.student(row) for row in sheet.rows)
@@ -94,7 +101,7 @@ def read_roster(
         )
     if problems:
         raise TableError(problems)
-    return Roster(students, (*sheet.notes, *groups.note(), *left_out, *made))
+    return Roster(students, (*sheet.notes, *groups.note(), *left_out, *no_addresses, *made))
 
 
 def _without_names(whole: Sheet, columns: Mapping[str, TableColumn]) -> Problem:
