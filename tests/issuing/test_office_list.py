@@ -49,6 +49,42 @@ def test_the_row_below_the_last_name_is_nobody(last: str) -> None:
     assert "passed over: 4 (" in said(roster)
 
 
+@pytest.mark.parametrize(
+    "line",
+    [
+        "Декан ________ Смирнов А.В.;",
+        "Dean ........... Smith;",
+        "Head of department: K. Doe;",
+        "Староста группы: Иванов;",
+        "Подпись преподавателя;",
+        "Дата: 01.09.2026;",
+        "Викладач ______;",
+    ],
+)
+def test_a_line_of_a_form_below_the_names_is_nobody(line: str) -> None:
+    roster = listed("ФИО;Группа", "Иванов Иван;A", line)
+    assert names(roster) == ["Иванов Иван"]
+    assert "passed over: 3 (" in said(roster)
+
+
+def test_running_numbers_before_all_names_are_no_part_of_them() -> None:
+    numbered = listed("ФИО;Группа", "1. Иванов Иван;A", "2) Петров Пётр;A")
+    assert names(numbered) == ["Иванов Иван", "Петров Пётр"]
+    assert names(listed("ФИО", "1. Иванов Иван", "Петров Пётр"))[0] == "1. Иванов Иван"
+
+
+def test_what_is_no_mail_address_is_left_out_and_told() -> None:
+    roster = listed("ФИО;E-mail", "Иванов Иван;нет", "Петров Пётр;нет", "Цой Ян;tsoi@x.example")
+    assert [one.email for one in roster.students] == ["", "", "tsoi@x.example"]
+    assert [one.id for one in roster.students] == ["иванов-иван", "петров-пётр", "tsoi"]
+    assert "no mail addresses and were left out: нет." in said(roster)
+
+
+@pytest.mark.parametrize("heading", ["Номер варіанту", "№ варіанту"])
+def test_either_genitive_of_a_variant_heads_its_column(heading: str) -> None:
+    assert listed(f"ПІБ;{heading}", "Іванко Іван;007").students[0].variant == "007"
+
+
 @pytest.mark.parametrize("name", ["Всего Анна", "Староста Иван", "Total Ivan", "Декан Олег"])
 def test_a_surname_that_is_such_a_word_stays(name: str) -> None:
     assert names(listed("ФИО;Группа", f"{name};A")) == [name]

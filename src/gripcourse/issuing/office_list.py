@@ -1,7 +1,7 @@
 """What an office writes into a list of people besides people: sums, signatures, headings again."""
 
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, replace
 from typing import Final
 
@@ -19,6 +19,9 @@ _SHOWN: Final = 40  # signs of a row that is left out
 # Behind the first words of a sum or a signature: nothing, a colon or a dash, a number. Somebody's
 # surname may be such a word; a first name follows it.
 _BEHIND: Final = re.compile(r"\s*(?:$|[-:(]|\d|студент|чел|student|осіб)")
+_NUMBERED: Final = re.compile(r"\s*\d{1,4}\s*[.)]\s*(?=\w)")
+# What stands in a line that a form asks somebody to fill in, and in nobody's name.
+_OF_A_FORM: Final = re.compile(r":|_{3}|\.{4}|…{2}")
 
 
 def with_names(sheet: Sheet, vocabulary: Vocabulary) -> Sheet:
@@ -107,6 +110,43 @@ def _row_shown(sheet: Sheet, row: SheetRow, cells: Iterable[str]) -> str:
     return f"{number} ({text})" if text else number
 
 
+def without_numbers(sheet: Sheet, columns: Mapping[str, TableColumn]) -> Sheet:
+    """Take the running numbers away that stand before all names, as `1. ` does."""
+    first = next((columns[one] for one in _OF_NAMES if one in columns), None)
+    if first is None or not sheet.rows:
+        return sheet
+    place = first.position
+    if not all(_NUMBERED.match(row.cells[place]) for row in sheet.rows):
+        return sheet
+    return _with_cells(sheet, place, lambda text: _NUMBERED.sub("", text))
+
+
+def with_addresses(
+    sheet: Sheet, columns: Mapping[str, TableColumn]
+) -> tuple[Sheet, tuple[Message, ...]]:
+    """Leave out what stands among mail addresses and is none, such as `no`; a note says what."""
+    if "email" not in columns:
+        return sheet, ()
+    place = columns["email"].position
+    written = (one_line(row.cells[place]).strip() for row in sheet.rows)
+    none = dict.fromkeys(one[:_SHOWN] for one in written if one and "@" not in one)
+    if not none:
+        return sheet, ()
+    said = message("These are no mail addresses and were left out: {texts}.", texts=", ".join(none))
+    return _with_cells(sheet, place, lambda text: text if "@" in text else ""), (said,)
+
+
+def _with_cells(sheet: Sheet, place: int, changed: Callable[[str], str]) -> Sheet:
+    """Return a list with other texts in one of its columns."""
+
+    def row_of(row: SheetRow) -> SheetRow:
+        cells = list(row.cells)
+        cells[place] = changed(cells[place])
+        return replace(row, cells=tuple(cells))
+
+    return replace(sheet, rows=tuple(map(row_of, sheet.rows)))
+
+
 @dataclass(frozen=True, slots=True)
 class _Rows:
     """How the rows of a list are looked at.
@@ -144,9 +184,9 @@ class _Rows:
 
     @staticmethod
     def _is_closing(text: str) -> bool:
-        """Tell whether a text begins as a sum or a signature does."""
+        """Tell whether a text begins as a sum or a signature does, or is a line of a form."""
         written = plain(text)
-        return any(
+        return _OF_A_FORM.search(text) is not None or any(
             written.startswith(word) and _BEHIND.match(written, len(word)) is not None
             for word in declared_names("nobody")
         )

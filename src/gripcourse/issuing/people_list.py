@@ -10,7 +10,14 @@ from typing import Final
 
 from gripcourse.errors import Problem
 from gripcourse.issuing.group_titles import GroupTitles, group_titles
-from gripcourse.issuing.office_list import PARTS_OF_NAME, with_names, with_somebody, without_staff
+from gripcourse.issuing.office_list import (
+    PARTS_OF_NAME,
+    with_addresses,
+    with_names,
+    with_somebody,
+    without_numbers,
+    without_staff,
+)
 from gripcourse.machine.content import Readable
 from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.words import Message, message
@@ -91,7 +98,8 @@ def _understood(whole: Sheet, vocabulary: Vocabulary) -> PeopleList:
     rows = tuple(row for row in named.rows if row.number not in groups.rows)
     sheet, staff = without_staff(replace(named, rows=rows), columns)
     sheet, nobody = with_somebody(sheet, columns, vocabulary)
-    return PeopleList(sheet, columns, groups, tuple(problems), (*staff, *nobody))
+    sheet, no_addresses = with_addresses(without_numbers(sheet, columns), columns)
+    return PeopleList(sheet, columns, groups, tuple(problems), (*staff, *nobody, *no_addresses))
 
 
 def _groups(whole: Sheet) -> GroupTitles:

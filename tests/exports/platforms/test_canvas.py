@@ -44,6 +44,24 @@ def test_who_has_no_work_keeps_what_stood_there(works: Works) -> None:
     assert second[-1] == "N/A"
 
 
+def notes(text: str, found: tuple[GradedWork, ...]) -> str:
+    source = NamedBytes("grades.csv", text.encode("utf-8-sig"))
+    return "\n".join(map(str, fill_gradebook(source, found, "РГР 1").notes))
+
+
+def test_who_is_excused_there_stays_excused_and_is_named(works: Works) -> None:
+    text = EXPORT.replace("N/A", "EX")
+    assert table(text, works=works(FILES))[-1][-1] == "EX"
+    assert "is excused in Canvas" in notes(text, works(FILES))
+
+
+@pytest.mark.parametrize("points", ["", "0.00"])
+def test_an_assignment_without_possible_points_is_named(works: Works, points: str) -> None:
+    text = EXPORT.replace("50.00", points)
+    assert "no possible points for РГР 1 (9876)" in notes(text, works(FILES))
+    assert notes(EXPORT, works(FILES)) == ""
+
+
 @pytest.mark.parametrize("points", ["nan", "1e999"])
 def test_points_that_are_no_number_fill_in_none(works: Works, points: str) -> None:
     first = table(EXPORT.replace("50.00", points), works=works(FILES))[2]

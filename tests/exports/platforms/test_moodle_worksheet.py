@@ -133,6 +133,18 @@ def test_who_is_not_in_the_worksheet_is_named(works: Works) -> None:
     ]
 
 
+def test_a_worksheet_that_says_no_maximum_is_filled_by_our_points_and_that_is_told(
+    works: Works,
+) -> None:
+    """Moodle leaves out without a word what is above the maximum that it knows."""
+    text = EN.replace('"Maximum grade"', '"Höchstpunktzahl"')
+    result = fill_worksheet(
+        read_worksheet(sheet(text)), works({ZIP.format(12): "s17"}), lambda _: ""
+    )
+    assert result.filled == 1
+    assert "no column 'Maximum grade': grades are of" in str(result.notes[0])
+
+
 def test_a_scale_of_words_is_refused(works: Works) -> None:
     with pytest.raises(UsageError, match="a scale of words"):
         filled(sheet(EN.replace("100.00", "A B C")), works({ZIP.format(12): "s17"}))

@@ -25,6 +25,7 @@ _LAST: Final = "Section"
 _ASSIGNMENT: Final = re.compile(r"(?P<title>.*) \((?P<id>\d+)\)")
 _POSSIBLE: Final = "Points Possible"
 _READ_ONLY: Final = "read only"
+_EXCUSED: Final = {"EX", "Excused"}
 _BYTE_ORDER: Final = ("utf-8-sig", "utf-8")
 
 
@@ -64,7 +65,8 @@ def fill_gradebook(
     people = tuple(_people(table, places))
     matching = match(works, [row for _, row in people], table.file)
     possible = _possible(table, column)
-    notes = (*_locked(table, column), *matching.notes)
+    about = tuple(_locked(table, column)) or tuple(_without_points(table, column, possible))
+    notes = [*about, *matching.notes]
     rows: list[list[str]] = []
     filled = 0
     for place, cells in enumerate(table.rows):
@@ -74,10 +76,12 @@ def fill_gradebook(
             continue
         cell = cells[column]
         work = None if row is None else matching.works.get(row.line)
-        if work is not None:
+        if work is not None and cell.strip() in _EXCUSED:
+            notes.append(_excused(work))
+        elif work is not None:
             cell, filled = f"{work.share * (possible or work.total):.2f}", filled + 1
         rows.append([*(text_cell(cells[at]) for at in kept), cell])
-    return FilledGradebook(_written(rows, table), filled, notes)
+    return FilledGradebook(_written(rows, table), filled, tuple(notes))
 
 
 def _kept_columns(table: RawTable) -> list[int]:
@@ -148,6 +152,23 @@ def _locked(table: RawTable, column: int) -> Iterator[Message]:
             "Canvas takes no points for {assignment}: it says that this column is read only.",
             assignment=table.header[column].strip(),
         )
+
+
+def _without_points(table: RawTable, column: int, possible: float | None) -> Iterator[Message]:
+    """Say that points are written as ours where Canvas has none for the assignment."""
+    if not possible:
+        yield message(
+            "Canvas has no possible points for {assignment}: its points were written as they are"
+            " here.",
+            assignment=table.header[column].strip(),
+        )
+
+
+def _excused(work: GradedWork) -> Message:
+    return message(
+        "{student} is excused in Canvas; this was left as it is.",
+        student=work.said,
+    )
 
 
 def _written(rows: Sequence[Sequence[str]], table: RawTable) -> bytes:

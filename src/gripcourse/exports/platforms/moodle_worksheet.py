@@ -135,7 +135,7 @@ def fill_worksheet(
     rows = tuple(worksheet.rows())
     matching = match(works, [row for _, _, row in rows], worksheet.table.file)
     changed: dict[int, tuple[str, ...]] = {}
-    notes = list(matching.notes)
+    notes = [*_without_maximum(worksheet, matching), *matching.notes]
     grade = worksheet.columns[MoodleColumn.GRADE]
     for place, cells, row in rows:
         work = matching.works.get(row.line)
@@ -193,6 +193,19 @@ def _maximum(
         place = message("row {row}", row=row.line)
         raise UsageError([Problem(worksheet.table.file, place, what, remedy)])
     return maximum
+
+
+def _without_maximum(worksheet: Worksheet, matching: Matching) -> Iterator[Message]:
+    """Say by which points grades are written where the worksheet does not say what Moodle's are."""
+    if {MoodleColumn.MAXIMUM, MoodleColumn.SCALE} & worksheet.columns.keys():
+        return
+    for total in sorted({work.total for work in matching.works.values()}):
+        yield message(
+            "The worksheet has no column '{column}': grades are of {total} points. Where Moodle has"
+            " fewer, it leaves grades above them out without a word.",
+            column=HEADINGS[worksheet.language][MoodleColumn.MAXIMUM],
+            total=total,
+        )
 
 
 def _number(written: str) -> float | None:
