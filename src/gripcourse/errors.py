@@ -171,5 +171,9 @@ class GradebookError(GripcourseError):
     """The gradebook cannot be read or written."""
 
 
+class SystemRefusedError(GripcourseError):
+    """The system does not let something be read or written that the caller of the library named."""
+
+
 class UsageError(GripcourseError):
     """The program was called with something that cannot be used."""

@@ -1,5 +1,7 @@
 """What callers choose by name."""
 
+from datetime import date, datetime
+
 from gripcourse.course.quantity import Convention
 from gripcourse.errors import Problem, UsageError
 from gripcourse.text.suggestion import did_you_mean
@@ -45,3 +47,8 @@ def from_one(count: int) -> int:
     what = message("The number is {value}.", value=count)
     remedy = message("Write a whole number from 1 on.")
     raise UsageError([Problem("", "", what, remedy, parameter="count")])
+
+
+def today_here() -> date:
+    """Return the day as the clock of this machine has it."""
+    return datetime.now().astimezone().date()

@@ -6,7 +6,7 @@ from datetime import UTC, date, datetime
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from gripcourse.api.choices import chosen_convention, chosen_language, from_one
+from gripcourse.api.choices import chosen_convention, chosen_language, from_one, today_here
 from gripcourse.api.make_results import (
     check_result,
     issue_result,
@@ -14,6 +14,7 @@ from gripcourse.api.make_results import (
     solution_result,
     variants_result,
 )
+from gripcourse.api.refusals import refusals_said
 from gripcourse.api.results import (
     CheckResult,
     IssueResult,
@@ -21,7 +22,7 @@ from gripcourse.api.results import (
     SolutionResult,
     VariantsResult,
 )
-from gripcourse.api.sources import FileLike, readable, workbooks
+from gripcourse.api.sources import FileLike, path_of, place_of, read, readable, workbooks
 from gripcourse.api.validate import validate
 from gripcourse.course.load import load_course
 from gripcourse.course.model import Course as Definition
@@ -62,6 +63,7 @@ class Course:
     language: str
 
     @classmethod
+    @refusals_said
     def load(cls, folder: str | Path | None = None, language: str | None = None) -> "Course":
         """Load a course with its policy.
 
@@ -73,7 +75,7 @@ class Course:
             UsageError: the folder is no course.
             CourseError: with every problem of the course.
         """
-        definition = load_course(course_root(None if folder is None else Path(folder)))
+        definition = load_course(course_root(None if folder is None else path_of(folder)))
         return cls(
             definition, load_policy(definition), chosen_language(language or definition.language)
         )
@@ -101,6 +103,7 @@ class Course:
         """Check the folder of the course as it is now; see `gripcourse.validate`."""
         return validate(self.root, self.language)
 
+    @refusals_said
     def variants(self, table: FileLike | None = None) -> VariantsResult:
         """Read a table of variants.
 
@@ -109,6 +112,7 @@ class Course:
         """
         return variants_result(read_table(self.table_source(table), self.definition))
 
+    @refusals_said
     def draw_variants(
         self,
         count: int,
@@ -134,7 +138,7 @@ class Course:
 
         drawn = draw_variants(self.definition, from_one(count), seed, scheme, freely=freely)
         if out is not None:
-            write_table(Path(out), drawn.variants, self.definition)
+            write_table(path_of(out), drawn.variants, self.definition)
         return variants_result(drawn.variants, drawn.tallies)
 
     def solve(self, variant: str, *, table: FileLike | None = None) -> "pd.DataFrame":
@@ -155,6 +159,7 @@ class Course:
         """Return the values of a scheme with values of one's own; see `scheme_solution`."""
         return self.scheme_solution(scheme, given, options, convention).table()
 
+    @refusals_said
     def solution(
         self, variant: str, *, table: FileLike | None = None, convention: str | None = None
     ) -> SolutionResult:
@@ -201,6 +206,7 @@ class Course:
         wanted = chosen_convention(convention)
         return solve_from_table(self.definition, variants, variant, wanted)
 
+    @refusals_said
     def issue(  # noqa: PLR0913 (all but two are for those who need them)
         self,
         roster: FileLike,
@@ -233,14 +239,15 @@ class Course:
         order = Order(
             roster=readable(roster, "roster"),
             table=self.table_source(table),
-            out=Path(out),
-            today=today or _today(),
+            out=path_of(out),
+            today=today or today_here(),
             deadline=deadline,
             link_days=link_days,
         )
         issuing = issue_order(self.definition, self.policy, order, workers, on_done)
         return issue_result(issuing, self.words)
 
+    @refusals_said
     def check(
         self, workbook: FileLike, *, ledger: str | Path | None = None, who: str = ""
     ) -> CheckResult:
@@ -255,7 +262,7 @@ class Course:
             who: id of who is signed in, as the server knows it; the workbook could name anybody.
 
         Raises:
-            OSError: a file that is named cannot be read, or the ledger cannot be written.
+            GripcourseError: a file that is named cannot be read, or the ledger cannot be written.
             ValueError: there is a ledger and nobody is named.
         """
         from gripcourse.gradebook.checks import CheckLedger
@@ -263,16 +270,15 @@ class Course:
 
         if ledger is not None and not who:
             raise ValueError(who)
-        counted = None if ledger is None else CheckLedger(Path(ledger), who)
-        source = readable(workbook, "workbook")
-        if not isinstance(source, NamedBytes):
-            source = NamedBytes(str(source), source.read_bytes())
+        counted = None if ledger is None else CheckLedger(path_of(ledger), who)
+        source = read(workbook, "workbook")
         try:
             checked = check_file(source, self.definition, self.policy, ledger=counted)
         except UsageError as refused:
             return refused_check(refused.problems, self.words)
         return check_result(checked, self.words)
 
+    @refusals_said
     def grade(  # noqa: PLR0913 (all but the first are for those who need them)
         self,
         files: Iterable[FileLike],
@@ -316,6 +322,7 @@ class Course:
         from gripcourse.usecases.marks.gradebook import keep
         from gripcourse.usecases.marks.opening import as_wished, grading_of
 
+        day, folder = graded_on or today_here(), None if out is None else path_of(out)
         sources, others = workbooks(files)
         wish = BatchWish(
             whose=tuple(f"{file}={student}" for file, student in (whose or {}).items()),
@@ -323,15 +330,14 @@ class Course:
             either_version=either_version,
             recalculate=recalculate,
         )
-        place = None if gradebook is None else str(gradebook)
+        place = None if gradebook is None else place_of(gradebook)
         course = grading_of(self.definition, self.policy)
         context, times = as_wished(wish, sources, course, place, workers)
         graded = grade(sources, context, workers, on_done)
         if place is not None:
             graded = keep(graded, context, place, datetime.now(UTC), times)
         reports = tuple(one.report for one in graded)
-        if out is not None:
-            day, folder = graded_on or _today(), Path(out)
+        if folder is not None:
             reports = write_results(
                 graded, context, folder, day, workers, nothing, passed_over=others
             ).reports
@@ -341,7 +347,3 @@ class Course:
     def table_source(self, table: FileLike | None) -> Path | NamedBytes:
         """Return the table that is meant: the named one, else the course's main one."""
         return self.main_table if table is None else readable(table, "variants")
-
-
-def _today() -> date:
-    return datetime.now().astimezone().date()

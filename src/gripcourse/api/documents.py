@@ -1,12 +1,14 @@
 """Documents of a course: what a program can have written beside the results of `Course`."""
 
 import secrets
-from datetime import date, datetime
+from datetime import date
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from gripcourse.api.choices import today_here
 from gripcourse.api.course import Course
-from gripcourse.api.sources import FileLike
+from gripcourse.api.refusals import refusals_said
+from gripcourse.api.sources import FileLike, path_of
 from gripcourse.text.words import Words
 
 if TYPE_CHECKING:
@@ -17,6 +19,7 @@ if TYPE_CHECKING:
 # ruff: noqa: PLC0415
 
 
+@refusals_said
 def init_course(
     folder: str | Path, *, source: str | Path | None = None, language: str = "en"
 ) -> Course:
@@ -32,36 +35,40 @@ def init_course(
     """
     from gripcourse.usecases.authoring.init import init_course as make
 
-    origin = None if source is None else Path(source)
-    make(Path(folder), secrets.token_bytes(32), Words(language), origin)
+    origin = None if source is None else path_of(source)
+    make(path_of(folder), secrets.token_bytes(32), Words(language), origin)
     return Course.load(folder)
 
 
+@refusals_said
 def doctor(folder: str | Path = ".") -> "tuple[MachineCheck, ...]":
     """Check this machine: what it has and lacks, each lack with its remedy."""
     from gripcourse.machine.doctor import checks
 
-    return checks(Path(folder))
+    return checks(path_of(folder))
 
 
+@refusals_said
 def write_solution(
     course: Course, variant: str, out: str | Path, *, table: FileLike | None = None
 ) -> Path:
     """Write the worked solution of a variant as PDF and return where it is."""
     from gripcourse.usecases.solving.solve import write_solution as write
 
-    return write(course.solved(variant, table), Path(out), course.words)
+    return write(course.solved(variant, table), path_of(out), course.words)
 
 
+@refusals_said
 def write_key(
     course: Course, variant: str, out: str | Path, *, table: FileLike | None = None
 ) -> Path:
     """Write the instructor's workbook with live formulas and return where it is."""
     from gripcourse.usecases.solving.solve import write_key as write
 
-    return write(course.solved(variant, table), Path(out), course.words)
+    return write(course.solved(variant, table), path_of(out), course.words)
 
 
+@refusals_said
 def write_general_view(
     course: Course,
     variant: str,
@@ -73,9 +80,10 @@ def write_general_view(
     """Write the general view of a variant as DXF and SVG into a folder; return the files."""
     from gripcourse.usecases.solving.draw import write_general_view as write
 
-    return tuple(write(course.solved(variant, table), Path(out), student, course.words))
+    return tuple(write(course.solved(variant, table), path_of(out), student, course.words))
 
 
+@refusals_said
 def audit_variants(
     course: Course,
     out: str | Path,
@@ -86,27 +94,30 @@ def audit_variants(
     """Audit a table of variants; write its certificate and numbers into a folder."""
     from gripcourse.usecases.solving.audit import audit_table
 
-    day = today or datetime.now().astimezone().date()
-    return audit_table(course.definition, course.table_source(table), Path(out), course.words, day)
+    day, folder = today or today_here(), path_of(out)
+    return audit_table(course.definition, course.table_source(table), folder, course.words, day)
 
 
+@refusals_said
 def import_variants(course: Course, table: FileLike, out: str | Path) -> int:
     """Check an instructor's own table, write it and return the number of its variants."""
     from gripcourse.usecases.solving.variants import import_table
 
-    read = import_table(course.definition, course.table_source(table), Path(out))
+    read = import_table(course.definition, course.table_source(table), path_of(out))
     return len(read.variants)
 
 
+@refusals_said
 def draw_atlas(course: Course, atlas: str, out: str | Path) -> tuple[Path, ...]:
     """Reproduce the figures of a source into a folder; return the files."""
     from gripcourse.usecases.authoring.atlas import draw_atlas as write
 
-    return tuple(write(course.definition, atlas, Path(out), course.words))
+    return tuple(write(course.definition, atlas, path_of(out), course.words))
 
 
+@refusals_said
 def write_reference(course: Course, out: str | Path) -> tuple[Path, ...]:
     """Write the formula reference into a folder; return the pages."""
     from gripcourse.usecases.authoring.reference import write_reference as write
 
-    return tuple(write(course.definition, Path(out), course.words))
+    return tuple(write(course.definition, path_of(out), course.words))

@@ -6,7 +6,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from gripcourse.api.course import Course
-from gripcourse.api.sources import FileLike, readable
+from gripcourse.api.refusals import refusals_said
+from gripcourse.api.sources import FileLike, place_of, readable
 
 if TYPE_CHECKING:
     from gripcourse.gradebook.enter import Draft
@@ -18,6 +19,7 @@ if TYPE_CHECKING:
 # ruff: noqa: PLC0415
 
 
+@refusals_said
 def what_waits(gradebook: str | Path) -> "tuple[Waiting, ...]":
     """Return what waits for a person in a gradebook.
 
@@ -26,9 +28,10 @@ def what_waits(gradebook: str | Path) -> "tuple[Waiting, ...]":
     """
     from gripcourse.usecases.marks.mark import what_waits as ask
 
-    return ask(str(gradebook))
+    return ask(place_of(gradebook))
 
 
+@refusals_said
 def enter_mark(course: Course, draft: "Draft", gradebook: str | Path, marker: str) -> "Marking":
     """Enter the mark of one item; see `gripcourse.gradebook.enter.Draft`.
 
@@ -39,9 +42,10 @@ def enter_mark(course: Course, draft: "Draft", gradebook: str | Path, marker: st
     from gripcourse.usecases.marks.opening import grading_of
 
     context = grading_of(course.definition, course.policy)
-    return enter(draft, context, str(gradebook), marker, datetime.now(UTC))
+    return enter(draft, context, place_of(gradebook), marker, datetime.now(UTC))
 
 
+@refusals_said
 def enter_marks(course: Course, table: FileLike, gradebook: str | Path, marker: str) -> "Marking":
     """Enter a table of marks, whole or not at all.
 
@@ -53,9 +57,10 @@ def enter_marks(course: Course, table: FileLike, gradebook: str | Path, marker: 
 
     context = grading_of(course.definition, course.policy)
     source = readable(table, "marks")
-    return enter_table(source, context, str(gradebook), marker, datetime.now(UTC))
+    return enter_table(source, context, place_of(gradebook), marker, datetime.now(UTC))
 
 
+@refusals_said
 def trace(
     course: Course,
     numbers: Iterable[str],

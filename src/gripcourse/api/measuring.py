@@ -4,7 +4,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from gripcourse.api.course import Course
-from gripcourse.api.sources import FileLike
+from gripcourse.api.refusals import refusals_said
+from gripcourse.api.sources import FileLike, path_of
 
 if TYPE_CHECKING:
     from gripcourse.simulation.confusion import GraderEvaluation
@@ -14,6 +15,7 @@ if TYPE_CHECKING:
 # ruff: noqa: PLC0415
 
 
+@refusals_said
 def simulate(
     course: Course,
     out: str | Path,
@@ -32,10 +34,11 @@ def simulate(
 
     cohort = virtual.Cohort(count, seed, scheme)
     return virtual.simulate(
-        course.definition, course.policy, cohort, Path(out), workers, _no_progress
+        course.definition, course.policy, cohort, path_of(out), workers, _no_progress
     )
 
 
+@refusals_said
 def evaluate(course: Course, folder: str | Path, *, workers: int = 0) -> "GraderEvaluation":
     """Grade the workbooks that `simulate` wrote, and set what was said against what was done.
 
@@ -45,10 +48,11 @@ def evaluate(course: Course, folder: str | Path, *, workers: int = 0) -> "Grader
     from gripcourse.usecases.measuring import virtual
 
     return virtual.evaluate_folder(
-        course.definition, course.policy, Path(folder), workers, _no_progress
+        course.definition, course.policy, path_of(folder), workers, _no_progress
     )
 
 
+@refusals_said
 def evaluate_in_memory(
     course: Course, *, count: int, seed: int, scheme: str | None = None, workers: int = 1
 ) -> "GraderEvaluation":
@@ -61,6 +65,7 @@ def evaluate_in_memory(
     )
 
 
+@refusals_said
 def audit_tolerances(
     course: Course,
     *,

@@ -8,7 +8,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from gripcourse.api.course import Course, nothing
-from gripcourse.api.sources import FileLike, workbooks
+from gripcourse.api.refusals import refusals_said
+from gripcourse.api.sources import FileLike, place_of, workbooks
 
 if TYPE_CHECKING:
     from gripcourse.batch.kept_reports import KeptReports
@@ -23,6 +24,7 @@ if TYPE_CHECKING:
 # ruff: noqa: PLC0415
 
 
+@refusals_said
 def regrade(  # noqa: PLR0913 (the last ones are what everybody leaves as they are)
     course: Course,
     files: Iterable[FileLike],
@@ -62,7 +64,7 @@ def regrade(  # noqa: PLR0913 (the last ones are what everybody leaves as they a
     pairs = [f"{file}={student}" for file, student in (whose or {}).items()]
     decided = read_whose(pairs, sources, context.register)
     context = replace(context, whose=decided, either_version=either_version)
-    place = str(gradebook)
+    place = place_of(gradebook)
     existing_gradebook(place)
     context = with_kept_versions(context, place)
     kept = _earlier(course, context, workers)
@@ -84,6 +86,7 @@ def _earlier(course: Course, context: "GradingContext", workers: int) -> "KeptRe
     return None
 
 
+@refusals_said
 def apply_regrade(
     regrading: "Regrading",
     gradebook: str | Path,
@@ -109,9 +112,10 @@ def apply_regrade(
     from gripcourse.usecases.marks.regrade import apply_regrade as enter
 
     signed = Signed(by, datetime.now(UTC), why)
-    return enter(regrading, str(gradebook), signed, allow_lower=allow_lower)
+    return enter(regrading, place_of(gradebook), signed, allow_lower=allow_lower)
 
 
+@refusals_said
 def undo_regrade(gradebook: str | Path, *, by: str, why: str) -> "Regrade":
     """Take the last regrade back, by a new entry.
 
@@ -121,9 +125,10 @@ def undo_regrade(gradebook: str | Path, *, by: str, why: str) -> "Regrade":
     from gripcourse.gradebook.journal import Signed
     from gripcourse.usecases.marks.regrade import undo_regrade as undo
 
-    return undo(str(gradebook), Signed(by, datetime.now(UTC), why))
+    return undo(place_of(gradebook), Signed(by, datetime.now(UTC), why))
 
 
+@refusals_said
 def publish(
     gradebook: str | Path, *, by: str, students: Iterable[str] = ()
 ) -> "tuple[Published, ...]":
@@ -135,9 +140,10 @@ def publish(
     from gripcourse.gradebook.journal import Signed
     from gripcourse.usecases.marks.regrade import publish as tell
 
-    return tell(str(gradebook), students, Signed(by, datetime.now(UTC)))
+    return tell(place_of(gradebook), students, Signed(by, datetime.now(UTC)))
 
 
+@refusals_said
 def waive(
     course: Course,
     gradebook: str | Path,
@@ -160,9 +166,10 @@ def waive(
     waiver = Waiver(
         student, 0, until, withdrawn=False, person=by, done_at=datetime.now(UTC), why=why
     )
-    return enter(waiver, str(gradebook), register)
+    return enter(waiver, place_of(gradebook), register)
 
 
+@refusals_said
 def history(gradebook: str | Path, student: str) -> "tuple[Event, ...]":
     """Return everything that happened to a student's grade, oldest first.
 
@@ -171,4 +178,4 @@ def history(gradebook: str | Path, student: str) -> "tuple[Event, ...]":
     """
     from gripcourse.usecases.marks.history import history as ask
 
-    return ask(str(gradebook), student)
+    return ask(place_of(gradebook), student)

@@ -6,13 +6,15 @@ from pathlib import Path
 
 from gripcourse.api.course import Course
 from gripcourse.api.make_results import issue_result
+from gripcourse.api.refusals import refusals_said
 from gripcourse.api.results import IssueResult
-from gripcourse.api.sources import FileLike
+from gripcourse.api.sources import FileLike, path_of
 
 # Every call imports what it needs itself, as in `api.course`.
 # ruff: noqa: PLC0415
 
 
+@refusals_said
 def reissue(  # noqa: PLR0913 (the last four are for those who need them)
     course: Course,
     students: Iterable[str],
@@ -47,7 +49,7 @@ def reissue(  # noqa: PLR0913 (the last four are for those who need them)
     order = CorrectedOrder(
         correction=Correction(tuple(students), variant, why, by),
         table=course.table_source(table),
-        out=Path(out),
+        out=path_of(out),
         today=today or datetime.now().astimezone().date(),
         deadline=deadline,
     )

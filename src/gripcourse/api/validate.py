@@ -4,11 +4,14 @@ from pathlib import Path
 
 from gripcourse.api.choices import chosen_language
 from gripcourse.api.make_results import problems_result
+from gripcourse.api.refusals import refusals_said
 from gripcourse.api.results import ProblemsResult
+from gripcourse.api.sources import path_of
 from gripcourse.machine.resources import course_root
 from gripcourse.text.words import Words
 
 
+@refusals_said
 def validate(folder: str | Path | None = None, language: str = "en") -> ProblemsResult:
     """List every problem of a course at once, also of one that cannot be loaded.
 
@@ -22,5 +25,5 @@ def validate(folder: str | Path | None = None, language: str = "en") -> Problems
     # The documents that are tried cost half a second to import.
     from gripcourse.usecases.authoring.validate import all_problems  # noqa: PLC0415
 
-    root = course_root(None if folder is None else Path(folder))
+    root = course_root(None if folder is None else path_of(folder))
     return problems_result(all_problems(root), Words(chosen_language(language)))

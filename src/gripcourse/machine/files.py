@@ -199,6 +199,8 @@ def make_private_folder(path: Path) -> None:
 
 
 def _temporary(path: Path) -> Path:
+    if not path.name:  # this folder, or the root
+        raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR), str(path))
     return path.with_name(f".{path.stem}.{os.urandom(_TOKEN_BYTES).hex()}{path.suffix}")
 
 

@@ -52,7 +52,7 @@ def make_site(context: DeskContext, serving: Serving) -> Site:
 
 
 def look_into(serving: Serving) -> None:
-    """Open the folders of what is handed out; make the one that grading writes where there is none.
+    """Open the folders of what is handed out; the one that grading writes is made where none is.
 
     Raises:
         OSError: one of them is none.
