@@ -69,19 +69,26 @@ class Shelf:
 
         On a full disk they stay in memory, folded.
         """
-        findings = report.findings
-        if isinstance(findings, Folded) and isinstance(findings.held, _Place):
-            return report  # it was put on a shelf before
-        report = _with_shared(folded(report), self.register.get(report.student))
-        findings = report.findings
-        if not isinstance(findings, Folded):
-            return report
-        place, derived = self._put(findings.held), findings.derived
+        findings = folded(report).findings
+        if isinstance(findings, Folded):
+            if isinstance(findings.held, _Place):
+                return report  # it was put on a shelf before
+            findings = self._lying(findings, findings.held)
+        issued = self.register.get(report.student)
+        held = ({}, {}) if issued is None else (issued.variant.options, issued.variant.given)
+        return replace(
+            report,
+            findings=findings,
+            options=_shared(report.options, held[0]),
+            givens=_shared(report.givens, held[1]),
+        )
+
+    def _lying(self, findings: "Folded", held: bytes) -> "Folded":
+        """Return findings that lie here; as they are where there is no room."""
+        place, derived = self._put(held), findings.derived
         if isinstance(derived, bytes) and derived:
             derived = self._put(derived) or derived
-        if place is None:
-            return report
-        return replace(report, findings=replace(findings, held=place, derived=derived))
+        return findings if place is None else replace(findings, held=place, derived=derived)
 
     def read(self, start: int, size: int) -> bytes:
         """Return what lies at a place.
@@ -216,13 +223,6 @@ def digest_of_report(report: Report) -> str:
     return hashlib.sha256(b"%d\n%b%b" % (len(rest), rest, findings.packed)).hexdigest()
 
 
-def _with_shared(report: Report, issued: Issued | None) -> Report:
-    """Let what was issued be held once, and else equal names once for all reports."""
-    options, given = ({}, {}) if issued is None else (issued.variant.options, issued.variant.given)
-    return replace(
-        report, options=_shared(report.options, options), givens=_shared(report.givens, given)
-    )
-
-
 def _shared(named: Mapping[str, _Value], held: Mapping[str, _Value]) -> Mapping[str, _Value]:
+    """Let what was issued be held once, and else equal names once for all reports."""
     return held if named == held else {sys.intern(name): value for name, value in named.items()}

@@ -22,11 +22,13 @@ def work_of(report: Report, issued: Issued, issuer: str) -> ComparedWork:
         issued: to the student who handed it in.
         issuer: the author that issued workbooks name.
     """
+    given = issued.variant.given
+    # What was left as it was issued is held once for both.
+    used = () if report.givens is given else report.givens.items()
     changed = (
         Typed(quantity=name, value=value, half_unit=0.0, explained=False, slip=None)
-        for name, value in report.givens.items()
-        if name in issued.variant.given
-        and not math.isclose(value, issued.variant.given[name], rel_tol=_SAME)
+        for name, value in used
+        if name in given and not math.isclose(value, given[name], rel_tol=_SAME)
     )
     creator = "" if report.creator == issuer else report.creator
     numbers = derived(report.findings, TYPED).and_more(changed)
