@@ -36,6 +36,10 @@ class Unwrappable:
         return (_refuse, ("lost on the way",))
 
 
+def environment(name: str, _: None) -> str | None:
+    return os.environ.get(name)
+
+
 def _refuse(said: str) -> None:
     raise RuntimeError(said)
 

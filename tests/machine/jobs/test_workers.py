@@ -3,9 +3,10 @@
 import signal
 import subprocess
 import sys
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from multiprocessing import util
+from multiprocessing.forkserver import _forkserver
 from pathlib import Path
 from types import ModuleType
 from typing import Any
@@ -114,7 +115,7 @@ UNGUARDED = """
 from gripcourse.machine.jobs.workers import in_order, run_each
 import errands
 if __name__ != "__main__":
-    raise SystemExit("this script is not for workers")
+    raise RuntimeError("this script is not for workers")
 jobs = run_each(errands.carry, range(9), bytes(1_000_000), workers=2, seconds=60)
 print(len(lost := in_order(jobs)), {one.reason for one in lost})
 """
@@ -169,6 +170,15 @@ def test_no_worker_outlives_a_program_that_is_killed(errands: ModuleType, tmp_pa
     wait_for(lambda: not any(is_running(one) for one in workers))
 
 
+def test_a_worker_has_the_environment_of_the_moment(
+    errands: ModuleType, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    for value in ("one", "two"):
+        monkeypatch.setenv("GRIPCOURSE_ERRAND", value)
+        jobs = run_each(errands.environment, ["GRIPCOURSE_ERRAND"], None, workers=1, seconds=60)
+        assert in_order(jobs) == (value,)
+
+
 @pytest.mark.skipif(sys.platform != "linux", reason="other systems bound no memory")
 class TestMemory:
     def test_a_worker_has_its_limit(self, errands: ModuleType) -> None:
@@ -185,7 +195,7 @@ class TestMemory:
         assert str(bounded // 1024**2) in said
 
     @pytest.fixture
-    def bounded(self, monkeypatch: pytest.MonkeyPatch) -> int:
+    def bounded(self, monkeypatch: pytest.MonkeyPatch) -> Iterator[int]:
         """Start workers as under `ulimit -v`; this process goes on without."""
         limit = 2 * 1024**3
         start = util.spawnv_passfds
@@ -197,7 +207,10 @@ class TestMemory:
 
         monkeypatch.setattr(util, "spawnv_passfds", start_bounded)
         monkeypatch.setattr("gripcourse.machine.jobs.limits.system_memory_limit", lambda: limit)
-        return limit
+        # What workers are forks of is bounded, too, and must not be the one of other tests.
+        _forkserver._stop()  # type: ignore[attr-defined]  # noqa: SLF001 (made for tests)
+        yield limit
+        _forkserver._stop()  # type: ignore[attr-defined]  # noqa: SLF001
 
 
 def test_without_a_limit_of_the_system_there_is_nothing_to_say() -> None:

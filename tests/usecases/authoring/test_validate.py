@@ -13,16 +13,13 @@ from pathlib import Path
 import pytest
 from sqlalchemy import text
 
-from gripcourse.course.load import load_course
 from gripcourse.course.model import Course
 from gripcourse.issuing.allotment import Terms, extend
 from gripcourse.issuing.signature import key_path, make_key
 from gripcourse.issuing.store import extend_register
 from gripcourse.machine.database.home import gradebook_path
 from gripcourse.machine.database.opening import open_engine
-from gripcourse.machine.resources import TEMPLATES
 from gripcourse.usecases.authoring.check_lists import list_problems
-from gripcourse.usecases.authoring.templates import Templates, all_templates
 from gripcourse.usecases.authoring.validate import all_problems, scheme_problems, validated
 from gripcourse.variants.model import Student, Variant
 
@@ -210,20 +207,6 @@ def test_a_fault_is_found_after_the_course_was_found_sound(
     assert Path(file).name in {Path(one.file).name for one in all_problems(root)}
     path.write_text(sound, encoding="utf-8")
     assert all_problems(root) == []
-
-
-@pytest.fixture(scope="module")
-def templates_read() -> Templates:
-    """What is read in the templates, which are the program's: once, and not for every mistake."""
-    return all_templates(COURSE / TEMPLATES, load_course(COURSE).language)
-
-
-@pytest.fixture
-def same_templates(templates_read: Templates, monkeypatch: pytest.MonkeyPatch) -> None:
-    """No template is read again, however little is remembered."""
-    monkeypatch.setattr(
-        "gripcourse.usecases.authoring.validate.all_templates", lambda *_: templates_read
-    )
 
 
 # One of each kind of file that a course has, its tables apart: see above. Templates: see below.

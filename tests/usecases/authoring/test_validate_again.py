@@ -24,6 +24,8 @@ def warm(root: Path) -> Path:
     return cache
 
 
+# Templates are not changed.
+@pytest.mark.usefixtures("same_templates")
 @pytest.mark.parametrize("change", random_changes(COURSE, 8, 11), ids=lambda one: one.kind)
 def test_a_change_by_chance(change: Change, root: Path, warm: Path, tmp_path: Path) -> None:
     change.make(root)

@@ -16,7 +16,12 @@ from gripcourse.documents.reference.model import (
     WrongMethod,
 )
 from gripcourse.documents.reference.notation import Symbols, statement, symbol_of, symbols_for
-from gripcourse.documents.reference.occurrence import Content, Occurrence, OptionCondition
+from gripcourse.documents.reference.occurrence import (
+    Content,
+    Occurrence,
+    OptionCondition,
+    inputs_of,
+)
 from gripcourse.formula.boxes import Box
 from gripcourse.formula.tree import Formula
 from gripcourse.formula.typeset import typeset
@@ -70,7 +75,7 @@ def entry_of(one: Occurrence, content: Content, words: Words) -> ReferenceEntry:
         rubric=quantity.rubric,
         explain="" if quantity.explain is None else quantity.explain.of(language),
         source=citation(quantity.source, content.course, language),
-        inputs=tuple(_links(_inputs(quantity), one, content, language)),
+        inputs=tuple(_links(inputs_of(quantity), one, content, language)),
         users=tuple(_users(one, content, language)),
         slips=tuple(
             WrongMethod(
@@ -209,15 +214,6 @@ def _printed(one: AsPrinted, quantity: Quantity, symbols: Symbols, words: Words)
     )
 
 
-def _inputs(quantity: Quantity) -> tuple[str, ...]:
-    """Return the ids that the declared formula and the rule of a quantity use."""
-    formulas = [quantity.formula]
-    if quantity.choice is not None:
-        formulas.append(quantity.choice.condition)
-    used = (name for formula in formulas if formula is not None for name in formula.names)
-    return tuple(dict.fromkeys(name for name in used if name != quantity.id))
-
-
 def _links(
     ids: tuple[str, ...], one: Occurrence, content: Content, language: str
 ) -> Iterator[Link]:
@@ -227,7 +223,6 @@ def _links(
 
 def _users(one: Occurrence, content: Content, language: str) -> Iterator[Link]:
     """Yield links to what is computed from this declaration."""
-    for other in content.occurrences:
-        uses = one.quantity.id in _inputs(other.quantity)
-        if uses and one in content.meant(one.quantity.id, other):
+    for other in content.using.get(one.quantity.id, ()):
+        if one in content.meant(one.quantity.id, other):
             yield link_to(other, content, language)

@@ -1,6 +1,6 @@
 """Which declarations a scheme has: from which part each comes, and under which options."""
 
-from collections.abc import Collection, Iterable, Mapping
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 from gripcourse.course.compose import all_part_ids, direct_inputs, used_names
@@ -43,12 +43,14 @@ class Content:
         course, scheme: what it belongs to.
         occurrences: inputs before what needs them, otherwise as declared.
         by_id: the declarations of an id; more than one where options exclude each other.
+        using: those whose formula or rule has an id, in their order; without those of the id.
     """
 
     course: Course
     scheme: Scheme
     occurrences: tuple[Occurrence, ...]
     by_id: Mapping[str, tuple[Occurrence, ...]]
+    using: Mapping[str, Sequence[Occurrence]]
 
     def meant(self, identifier: str, user: Occurrence | None = None) -> tuple[Occurrence, ...]:
         """Return the declarations that an id in a formula of another declaration may mean.
@@ -69,9 +71,21 @@ def content_of(course: Course, scheme: Scheme) -> Content:
     constants = (_always(one) for name, one in course.constants.items() if name in used)
     occurrences = _arranged((*constants, *declared))
     by_id: dict[str, tuple[Occurrence, ...]] = {}
+    using: dict[str, list[Occurrence]] = {}
     for one in occurrences:
         by_id[one.quantity.id] = (*by_id.get(one.quantity.id, ()), one)
-    return Content(course, scheme, occurrences, by_id)
+        for name in inputs_of(one.quantity):
+            using.setdefault(name, []).append(one)
+    return Content(course, scheme, occurrences, by_id, using)
+
+
+def inputs_of(quantity: Quantity) -> tuple[str, ...]:
+    """Return the ids that the declared formula and the rule of a quantity use."""
+    formulas = [quantity.formula]
+    if quantity.choice is not None:
+        formulas.append(quantity.choice.condition)
+    used = (name for formula in formulas if formula is not None for name in formula.names)
+    return tuple(dict.fromkeys(name for name in used if name != quantity.id))
 
 
 def parts_of(course: Course, scheme: Scheme) -> tuple[Part, ...]:
