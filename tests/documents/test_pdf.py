@@ -127,6 +127,9 @@ def test_a_missing_value_is_an_error_and_no_empty_place(templates: Path) -> None
         ("{{ name | shout }}", "line 1", "No filter named 'shout'"),
         ("\n{{ name.first.letter }}", "line 2", "has no attribute 'first'"),
         ("\n\n{% include 'gone.html.j2' %}", "line 3", "There is no template gone.html.j2"),
+        ("\n{{ name - 1 }}", "line 2", "unsupported operand"),
+        ("{% for x in range('9') %}{% endfor %}", "line 1", "cannot be interpreted as an integer"),
+        ("{% for a, b in [name] %}{% endfor %}", "line 1", "too many values"),
     ],
 )
 def test_a_template_that_fails_is_named_with_the_line(

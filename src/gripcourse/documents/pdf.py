@@ -112,6 +112,10 @@ def render_html(
         return template.render(document.values)
     except (TemplateError, ArithmeticError) as error:
         raise CourseError([template_problem(error, document.template, templates)]) from error
+    except (TypeError, ValueError, LookupError, AttributeError) as error:
+        if not _is_of_a_template(error, templates):
+            raise
+        raise CourseError([template_problem(error, document.template, templates)]) from error
 
 
 def pdf_from_html(html: str, styles: tuple[str, ...], templates: Path) -> bytes:
@@ -224,6 +228,16 @@ def template_problem(error: Exception, name: str, templates: Path) -> Problem:
             remedy = message("Correct the name; it may be only the name of what stands before it.")
     return Problem(
         f"{templates.name}/{place}", "" if line is None else f"line {line}", what, remedy
+    )
+
+
+def _is_of_a_template(error: Exception, templates: Path) -> bool:
+    """Tell whether an expression of a template failed, and not a function of ours that it calls."""
+    files = [step.filename for step in traceback.extract_tb(error.__traceback__)]
+    inside = [place for place, file in enumerate(files) if _template_name(file, templates)]
+    ours = Path(__file__).parents[1]
+    return bool(inside) and not any(
+        Path(file).is_relative_to(ours) for file in files[inside[-1] + 1 :]
     )
 
 
