@@ -15,10 +15,10 @@ if TYPE_CHECKING:
 
 def paying_text(found: "Paying", words: Words) -> str:
     """Return tables of what mistakes cost, main results first, and the rules to be mended."""
-    lines = [
-        words.say(message("Points that a mistake in a main result costs over the issued table:")),
-        _costs_text(found.costs, words),
-    ]
+    lines: list[str] = []
+    if found.costs:
+        said = message("Points that a mistake in a main result costs over the issued table:")
+        lines += [words.say(said), _costs_text(found.costs, words)]
     if found.uneven:
         said = message("Of other answers, what costs more than 1.5 times as much in some variants:")
         lines += [words.say(said), _costs_text(found.uneven, words)]

@@ -117,7 +117,7 @@ def batch_text(outcome: "GradingOutcome", out: Path, words: Words) -> str:
         lines.append(words.say(said))
     lines += _cohort_fault(outcome, words)
     if outcome.grades_only:
-        lines.append(words.say(message("Nothing was printed, as you said.")))
+        lines.append(words.say(message("No reports were printed, as you said.")))
     incidents = out / INCIDENTS
     for said, place in (
         (message("Student reports"), None if outcome.grades_only else out / REPORTS),

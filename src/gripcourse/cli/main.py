@@ -102,7 +102,7 @@ def solve(  # noqa: PLR0913 (one parameter per option)
     options: Annotated[
         list[str] | None,
         typer.Option(
-            "--option", metavar="name=choice", help="What is chosen, for example drive=electric."
+            "--option", metavar="name=choice", help="What is chosen, for example material=steel."
         ),
     ] = None,
     convention: Annotated[

@@ -148,7 +148,8 @@ def tolerance_audit(  # noqa: PLR0913 (one parameter per option)
         command.write_audit(found, out)
     typer.echo(simulation_text.audit_text(found, policy, words))
     paying = command.paying(loaded, policy, sample)
-    typer.echo(f"\n{paying_text(paying, words)}")
+    if costs := paying_text(paying, words):
+        typer.echo(f"\n{costs}")
     if apply:
         changed = command.apply(found, loaded, policy)
         said = message("Tolerances written into the policy: {count}.", count=changed)

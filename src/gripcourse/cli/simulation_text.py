@@ -1,12 +1,12 @@
 """What the commands that measure the grader print."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from gripcourse.cli.foreign_text import Layout, foreign_tables, percent, rate_cells, rates_table
 from gripcourse.cli.table_layout import table_text
-from gripcourse.text.words import Words, counted, message
+from gripcourse.text.words import Message, Words, counted, message
 
 # `gripcourse --help` needs nothing of what is measured.
 # ruff: noqa: PLC0415
@@ -35,6 +35,12 @@ _RATES = {
     "rounded_down_accepted": message("sizes rounded down accepted"),
     "copied_accepted": message("copied answers accepted"),
 }
+
+_WRONG = message(
+    "“wrong” is the share of wrong methods that a band accepts, of students with the fewest "
+    "figures, whose numbers leave the widest range; a wrong method that gives the right value is "
+    "left out."
+)
 
 _SAID = {
     "correct": message("correct"),
@@ -182,11 +188,9 @@ def audit_text(found: "ToleranceAudit", policy: "Policy", words: Words) -> str:
     )
     answers = sum(one.tally.answers for one in found.quantities)
     lines = [
-        table_text(
-            [words.say(one) for one in heads],
-            [_audited(one, words) for one in shown],
-            right=set(range(1, len(heads))),
-        ),
+        _table(heads, [_audited(one, words) for one in shown], words)
+        if shown
+        else words.say(message("No band refuses anybody, and none needs to be changed.")),
         words.say(
             message(
                 "{variants} variants answered in {ways} ways by honest students: {answers} answers "
@@ -199,13 +203,7 @@ def audit_text(found: "ToleranceAudit", policy: "Policy", words: Words) -> str:
                 refused=sum(one.tally.refused for one in found.quantities),
             )
         ),
-        words.say(
-            message(
-                "“wrong” is the share of wrong methods that a band accepts, of students with the "
-                "fewest figures, whose numbers leave the widest range; a wrong method that gives "
-                "the right value is left out."
-            )
-        ),
+        *([words.say(_WRONG)] if shown else []),
         words.say(message("Near zero an absolute floor counts instead: {floors}.", floors=floors)),
     ]
     if shaky:
@@ -215,6 +213,11 @@ def audit_text(found: "ToleranceAudit", policy: "Policy", words: Words) -> str:
         )
         lines.append(words.say(said))
     return "\n\n".join(lines)
+
+
+def _table(heads: Sequence[Message], rows: Sequence[Sequence[str]], words: Words) -> str:
+    named = [words.say(one) for one in heads]
+    return table_text(named, rows, right=set(range(1, len(named))))
 
 
 def _audited(one: "AuditedBand", words: Words) -> tuple[str, ...]:

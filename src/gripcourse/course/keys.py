@@ -43,7 +43,10 @@ _VALUE: Final = {
 _VALUES: Final = by_name("Values by id, in declared units.", number("A value.", required=True))
 _EXPECTED: Final = by_name(
     "By id: a value and the difference that the printed digits leave open.",
-    other("Value and tolerated difference: [3900, 0.5].", _VALUE),
+    other(
+        "Value and tolerated difference: [3900, 0.5]; of a verdict [1, 0] for yes, [0, 0] for no.",
+        _VALUE,
+    ),
 )
 _CHOICES: Final = by_name("Choice of each option, by id.", text("A choice.", required=True))
 

@@ -131,7 +131,7 @@ _JUDGED: Final = {
         "Other honest readings: full credit, a remark, carried on.", _ALTERNATIVE
     ),
     "evaluated_in": by_name(
-        "Of an empirical formula: the unit in which each name enters.",
+        "Of an empirical formula: the unit in which each name enters; it names all of them.",
         text("A unit.", required=True),
     ),
 }

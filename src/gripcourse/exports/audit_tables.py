@@ -194,7 +194,7 @@ def _slips(audit: VariantAudit) -> str:
             str(one.near),
             str(one.variants),
             number_cell(one.share),
-            _yes(one.kind in audit.rules.keep_apart and not one.is_size),
+            _yes(one.kind in audit.rules.keep_apart and not one.only_counted),
         )
         for one in audit.slips
     ))  # fmt: skip

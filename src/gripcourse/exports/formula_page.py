@@ -53,15 +53,18 @@ def formula_lines() -> Iterator[str]:
     """Yield the lines of the chapter on formulas."""
     yield from ("", "## Formulas", "")
     yield (
-        "Names are ids of quantities and constants of the course, and `pi`. Signs: `+ - * /`, `**` "
-        "for a power, brackets; a decimal point. A condition compares with `<= < >= > ==`, and "
-        "several comparisons are joined by `and`; there is no `or` and no `if`: use `min`, `max`, "
-        "`exceeds`, or two schemes."
+        "Names are ids of quantities and constants of the course, and `pi`: Latin letters, digits "
+        "and `_`, for a dash would be a minus sign. Signs: `+ - * /`, `**` for a power, brackets; "
+        "a decimal point. A condition compares with `<= < >= > ==`, and several comparisons are "
+        "joined by `and`; there is no `or` and no `if`: use `min`, `max`, `exceeds`, or two "
+        "schemes."
     )
     yield ""
     yield (
         "All names enter in SI (m, N, Pa, rad, kg, s), so a bare number that has a unit is written "
-        "with a constant, or the formula says `evaluated_in`. Both sides must have one dimension."
+        "with a constant, or the formula says `evaluated_in`. Both sides must have one dimension. "
+        "What stands in `1 + x` is declared as a share, without a unit: 0.05, not 5 %. Nothing "
+        "rounds: a whole number is a choice from a series of whole numbers."
     )
     yield from ("", "| function | what it gives |", "|---|---|")
     for name in FUNCTIONS:
@@ -70,6 +73,7 @@ def formula_lines() -> Iterator[str]:
     yield from ("", "### Units", "")
     named = ", ".join(f"`{one}`" for one in unit_names())
     yield (
-        f"A unit is one of {named}, or made of them: `N/mm`, `m/s**2`, `kg/m**3`. An empty text is "
-        "a plain number."
+        f"A unit is one of {named}, or made of them, without brackets: `N/mm`, `m/s**2`, "
+        "`W/m**2/K`. An empty text is a plain number. Differences of temperatures are in `K`; a "
+        "temperature in °C is a plain number, whose title says so."
     )

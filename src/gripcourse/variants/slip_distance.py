@@ -48,12 +48,15 @@ class NearSlip:
 
 @dataclass(frozen=True, slots=True)
 class SlipCount:
-    """In how many of the variants that have a quantity a slip comes too near."""
+    """In how many of the variants that have a quantity a slip comes too near.
+
+    Of a size from a series, and where a course declares that it seldom tells, it is only counted.
+    """
 
     quantity: str
     slip: str
     kind: str
-    is_size: bool
+    only_counted: bool
     near: int
     variants: int
 
@@ -112,7 +115,10 @@ def too_near(group: Group, policy: Policy) -> dict[tuple[str, str], Mask]:
 def count_slips(groups: Sequence[Group], policy: Policy) -> tuple[SlipCount, ...]:
     """Count slips of all kinds over a table; those that never come near are counted too."""
     return summed_slips(
-        SlipCount(one.quantity, one.slip, one.kind, one.is_size, len(one.near), one.variants)
+        SlipCount(
+            *(one.quantity, one.slip, one.kind, one.is_size or one.seldom),
+            *(len(one.near), one.variants),
+        )
         for group in groups
         for one in near_slips(group, policy)
     )

@@ -174,7 +174,7 @@ def test_the_tables_hold_what_the_audit_found(audited: VariantAudit, course: Cou
     slips = rows(audited, course, "slips.csv")
     assert len(slips) == len(audited.slips)
     # Two sizes of a series are far apart or the same: no variant is refused for those.
-    refusing = {(one.quantity, one.slip) for one in audited.slips if not one.is_size}
+    refusing = {(one.quantity, one.slip) for one in audited.slips if not one.only_counted}
     for row in slips:
         refuses = row["kind"] == "declared" and (row["quantity"], row["slip"]) in refusing
         assert row["refuses"] == ("yes" if refuses else "no")
