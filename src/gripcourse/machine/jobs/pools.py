@@ -15,6 +15,7 @@ from dataclasses import dataclass
 from multiprocessing import get_context
 from multiprocessing.context import BaseContext
 from multiprocessing.shared_memory import SharedMemory
+from tempfile import gettempdir
 from typing import Any, Final, Protocol, TypeAlias
 
 from gripcourse.machine.file_limits import demand_file_of
@@ -37,6 +38,8 @@ OpenExecutor: TypeAlias = Callable[[int, Initializer, tuple[Any, ...]], Executin
 """Opens an executor: number of workers, what each does first, the arguments of that."""
 
 _MOST_ON_WINDOWS = 61  # handles that it can wait for at a time
+# Bytes of the folder for temporary files: an address has 108, and two names of the library follow.
+_LONGEST_TEMPORARY: Final = 70
 
 
 @dataclass(frozen=True, slots=True)
@@ -76,9 +79,10 @@ def _context() -> BaseContext:
 
     A fork of this process would copy the threads of a progress bar in an unknown state. On Linux
     workers are forks of a fresh interpreter that has no threads, and has imported what this process
-    has by then: half a second less for each worker.
+    has by then: half a second less for each worker. It is spoken to by a socket in the folder for
+    temporary files, whose path must fit into the address of one.
     """
-    if sys.platform != "linux":
+    if sys.platform != "linux" or len(os.fsencode(gettempdir())) > _LONGEST_TEMPORARY:
         return get_context("spawn")
     context = get_context("forkserver")
     ours = __name__.partition(".")[0]
