@@ -41,8 +41,8 @@ def deadlines_path(root: Path) -> Path:
 def course_deadlines(root: Path, rule: LateRule | None) -> tuple[Deadline, ...]:
     """Read a course's own table of deadlines; empty where it has none or lateness costs nothing.
 
-    A table that cannot be used is refused there too: who wrote it should hear so while it is written,
-    not when lateness begins to cost something.
+    A table that cannot be used is refused there too: who writes it should hear so now, not when
+    lateness begins to cost something.
 
     Raises:
         TableError: the table cannot be used.
