@@ -144,8 +144,9 @@ class TestChecking:
         assert checked.answers == ()
 
     def test_a_file_that_is_not_there_is_one(self, own: gc.Course, tmp_path: Path) -> None:
-        with pytest.raises(FileNotFoundError):
+        with pytest.raises(gc.GripcourseError, match=r"no\.xlsx: There is no such file") as refused:
             own.check(tmp_path / "no.xlsx")
+        assert isinstance(refused.value.__cause__, FileNotFoundError)
 
 
 class TestGrading:

@@ -1,13 +1,22 @@
 """A deadline is that of the student, else of the group, else of everybody, in the course's zone."""
 
 from datetime import UTC, date, datetime
+from pathlib import Path
 from zoneinfo import ZoneInfo
 
 import pytest
 
 from gripcourse.errors import TableError
-from gripcourse.gradebook.deadlines import Deadline, deadline_of, moment_of, read_deadlines
+from gripcourse.gradebook.deadlines import (
+    Deadline,
+    course_deadlines,
+    deadline_of,
+    deadlines_path,
+    moment_of,
+    read_deadlines,
+)
 from gripcourse.machine.content import NamedBytes
+from gripcourse.policy.time_rules import LateRule
 from gripcourse.variants.model import Issued, Student, Variant
 
 KYIV = ZoneInfo("Europe/Kyiv")
@@ -101,3 +110,16 @@ def test_what_is_wrong_is_named_by_row_and_column(text: str, said: list[str]) ->
     with pytest.raises(TableError) as caught:
         table(text)
     assert [str(one.what) for one in caught.value.problems] == said
+
+
+@pytest.mark.parametrize("rule", [None, LateRule(0.1, 0.5, 0, "Europe/Kyiv")])
+def test_a_course_whose_table_cannot_be_used_is_told_so_whatever_lateness_costs(
+    tmp_path: Path, rule: LateRule | None
+) -> None:
+    path = deadlines_path(tmp_path)
+    path.parent.mkdir()
+    path.write_text("student,deadline\ns01,some day\n", encoding="utf-8")
+    with pytest.raises(TableError, match="'some day' is no day"):
+        course_deadlines(tmp_path, rule)
+    path.write_text("student,deadline\ns01,2026-12-08\n", encoding="utf-8")
+    assert len(course_deadlines(tmp_path, rule)) == (0 if rule is None else 1)

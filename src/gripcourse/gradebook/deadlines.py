@@ -10,7 +10,7 @@ from zoneinfo import ZoneInfo
 
 from gripcourse.errors import Problem, TableError
 from gripcourse.machine.content import Readable
-from gripcourse.policy.time_rules import LateRule
+from gripcourse.policy.time_rules import LateRule, zone_of
 from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.words import message
 from gripcourse.variants.headings import by_ids, words_vocabulary
@@ -41,13 +41,15 @@ def deadlines_path(root: Path) -> Path:
 def course_deadlines(root: Path, rule: LateRule | None) -> tuple[Deadline, ...]:
     """Read a course's own table of deadlines; empty where it has none or lateness costs nothing.
 
+    A table that cannot be used is refused there too: who writes it should hear so now, not when
+    lateness begins to cost something.
+
     Raises:
         TableError: the table cannot be used.
     """
     path = deadlines_path(root)
-    if rule is None or not path.is_file():
-        return ()
-    return read_deadlines(path, rule.time_zone)
+    rows = read_deadlines(path, zone_of(rule)) if path.is_file() else ()
+    return () if rule is None else rows
 
 
 def deadline_of(issued: Issued, rows: tuple[Deadline, ...], zone: ZoneInfo) -> datetime | None:

@@ -111,6 +111,16 @@ def test_an_unknown_heading_is_named(works: Works) -> None:
     assert "Kennung" in str(refused.value)
 
 
+@pytest.mark.parametrize(
+    ("text", "other", "heading"),
+    [(EN, "Status", "Grade"), (RU, "Статус", "Оценка"), (UK, "Статус", "Оцінка")],
+)
+def test_two_columns_of_one_heading_are_refused(text: str, other: str, heading: str) -> None:
+    assert read_worksheet(sheet(text))
+    with pytest.raises(UsageError, match=f"Two columns are called '{heading}'"):
+        read_worksheet(sheet(text.replace(other, heading, 1)))
+
+
 def test_two_rows_of_one_student_are_refused(works: Works) -> None:
     twice = EN.replace("other@mail.com", "kovalchuk@uni.ua")
     with pytest.raises(UsageError, match="Rows 2, 3 are all of s18"):

@@ -93,7 +93,8 @@ def read_worksheet(source: Readable) -> Worksheet:
     """Read a grading worksheet as Moodle exports it.
 
     Raises:
-        UsageError: headings that Moodle must have are in no known language or missing.
+        UsageError: headings that Moodle must have are in no known language or missing, or two
+            columns have one that is read or filled: Moodle itself would take the last.
         OSError: it cannot be read.
     """
     table = read_raw_table(source, lambda header: max(map(len, _all_columns(header).values())))
@@ -103,6 +104,9 @@ def read_worksheet(source: Readable) -> Worksheet:
     missing = [one for one in REQUIRED if one not in columns]
     if missing:
         raise UsageError([_unknown(table, one) for one in missing])
+    twice = [one for one in columns if _count(table, HEADINGS[language][one]) > 1]
+    if twice:
+        raise UsageError([_ambiguous(table, HEADINGS[language][one]) for one in twice])
     return Worksheet(table, language, columns)
 
 
@@ -163,6 +167,15 @@ def _all_columns(header: Sequence[str]) -> dict[str, dict[MoodleColumn, int]]:
         language: {column: places[word] for column, word in words.items() if word in places}
         for language, words in HEADINGS.items()
     }
+
+
+def _count(table: RawTable, heading: str) -> int:
+    return sum(cell.strip() == heading for cell in table.header)
+
+
+def _ambiguous(table: RawTable, heading: str) -> Problem:
+    what = message("Two columns are called '{name}'.", name=heading)
+    return Problem(table.file, "", what, message("Leave one of them."))
 
 
 def _filled(
