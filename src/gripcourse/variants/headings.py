@@ -21,12 +21,13 @@ from gripcourse.course.quantity import Kind, Quantity
 from gripcourse.errors import Problem
 from gripcourse.text.spelling import plain
 from gripcourse.text.suggestion import did_you_mean
-from gripcourse.text.units import dimension, read_unit
+from gripcourse.text.units import dimension, read_unit, unit_text
 from gripcourse.text.words import LANGUAGES, Message, Texts, message
 from gripcourse.variants.sheet import Sheet, SheetRow, column_name
 
 _LISTED: Final = 100  # names of columns, at most, of which it helps to be shown the first
 _REMEMBERED: Final = 4  # courses
+_LOST: Final = "?"
 _WORD: Final = re.compile(r"[^\W_]+(?:'[^\W_]+)?|[№#]")
 _WITH_UNIT = (
     re.compile(r"(?P<name>.+?)\s*\[(?P<unit>[^\[\]]*)\]"),
@@ -79,12 +80,19 @@ class Vocabulary:
         """
         small = plain(name)
         title, _, symbol = name.rpartition(",")
-        both = self.titles.get(plain(title), frozenset()) & self._of_symbol(symbol)
+        both = self.titles.get(plain(title), frozenset()) & self._of_damaged_symbol(symbol)
         exact = both or self.ids.get(small) or self.titles.get(small) or self._of_symbol(name)
         return exact or self.spoken.get(_spoken(name), frozenset())
 
     def _of_symbol(self, text: str) -> frozenset[str]:
         return self.symbols.get(text.strip(), frozenset())
+
+    def _of_damaged_symbol(self, text: str) -> frozenset[str]:
+        """Return the ids of a symbol some of whose letters a code page may have lost."""
+        if _LOST not in text:
+            return self._of_symbol(text)
+        found = (ids for one, ids in self.symbols.items() if _may_have_been(one, text.strip()))
+        return frozenset().union(*found)
 
 
 @lru_cache(maxsize=1)
@@ -272,6 +280,9 @@ def _unit(
     sheet: Sheet, key: Message, text: str, quantity: Quantity, problems: list[Problem]
 ) -> str | None:
     unit = read_unit(text)
+    if unit is None and _LOST in text:
+        written = (unit_text(quantity.unit, language) for language in LANGUAGES)
+        unit = quantity.unit if any(_may_have_been(one, text) for one in written) else None
     if unit is None:
         problems.append(
             Problem(
@@ -294,6 +305,15 @@ def _unit(
         )  # fmt: skip
         return None
     return unit
+
+
+def _may_have_been(whole: str, damaged: str) -> bool:
+    """Tell whether a text is another one in which a code page put a sign for those it lacks.
+
+    Spreadsheet programs write `?` for Greek letters when they save a table by an old code page.
+    """
+    signs = zip(whole, damaged, strict=False)
+    return len(whole) == len(damaged) and all(two in {one, _LOST} for one, two in signs)
 
 
 def _spoken(name: str) -> str:
