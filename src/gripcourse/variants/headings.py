@@ -19,7 +19,7 @@ from gripcourse.course.model import Course
 from gripcourse.course.option_sets import pair_option_sets
 from gripcourse.course.quantity import Kind, Quantity
 from gripcourse.errors import Problem
-from gripcourse.text.spelling import plain
+from gripcourse.text.spelling import LOST_SIGN, may_have_been, plain
 from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.units import dimension, read_unit, unit_text
 from gripcourse.text.words import LANGUAGES, Message, Texts, message
@@ -27,7 +27,6 @@ from gripcourse.variants.sheet import Sheet, SheetRow, column_name
 
 _LISTED: Final = 100  # names of columns, at most, of which it helps to be shown the first
 _REMEMBERED: Final = 4  # courses
-_LOST: Final = "?"
 _WORD: Final = re.compile(r"[^\W_]+(?:'[^\W_]+)?|[№#]")
 _WITH_UNIT = (
     re.compile(r"(?P<name>.+?)\s*\[(?P<unit>[^\[\]]*)\]"),
@@ -89,9 +88,9 @@ class Vocabulary:
 
     def _of_damaged_symbol(self, text: str) -> frozenset[str]:
         """Return the ids of a symbol some of whose letters a code page may have lost."""
-        if _LOST not in text:
+        if LOST_SIGN not in text:
             return self._of_symbol(text)
-        found = (ids for one, ids in self.symbols.items() if _may_have_been(one, text.strip()))
+        found = (ids for one, ids in self.symbols.items() if may_have_been(one, text.strip()))
         return frozenset().union(*found)
 
 
@@ -280,9 +279,9 @@ def _unit(
     sheet: Sheet, key: Message, text: str, quantity: Quantity, problems: list[Problem]
 ) -> str | None:
     unit = read_unit(text)
-    if unit is None and _LOST in text:
+    if unit is None and LOST_SIGN in text:
         written = (unit_text(quantity.unit, language) for language in LANGUAGES)
-        unit = quantity.unit if any(_may_have_been(one, text) for one in written) else None
+        unit = quantity.unit if any(may_have_been(one, text) for one in written) else None
     if unit is None:
         problems.append(
             Problem(
@@ -305,15 +304,6 @@ def _unit(
         )  # fmt: skip
         return None
     return unit
-
-
-def _may_have_been(whole: str, damaged: str) -> bool:
-    """Tell whether a text is another one in which a code page put a sign for those it lacks.
-
-    Spreadsheet programs write `?` for Greek letters when they save a table by an old code page.
-    """
-    signs = zip(whole, damaged, strict=False)
-    return len(whole) == len(damaged) and all(two in {one, _LOST} for one, two in signs)
 
 
 def _spoken(name: str) -> str:
