@@ -143,6 +143,13 @@ def system_problem(error: OSError) -> Problem:
     return Problem(str(error.filename or ""), "", what, remedy)
 
 
+def memory_problem() -> Problem:
+    """Say that the system gave less memory than the work takes."""
+    what = message("There is too little memory for this.")
+    remedy = message("Lift the limit (ulimit -v), end other programs, or name fewer --workers.")
+    return Problem("", "", what, remedy)
+
+
 class GripcourseError(Exception):
     """Something that the author of a course or the user of a command can mend."""
 

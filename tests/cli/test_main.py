@@ -407,6 +407,27 @@ class TestWrongUse:
 
 
 class TestOurMistakes:
+    def test_too_little_memory_is_no_mistake_of_ours(
+        self, gripcourse: Command, monkeypatch: pytest.MonkeyPatch
+    ) -> None:
+        def fail(*_: object, **__: object) -> None:
+            raise MemoryError
+
+        monkeypatch.setattr("gripcourse.usecases.authoring.validate.validated", fail)
+        run = gripcourse("validate")
+        assert run.code == cli.WRONG_USE
+        assert "too little memory" in run.err
+
+    def test_where_neither_results_nor_complaints_can_be_written_the_code_says_it(self) -> None:
+        with Path("/dev/full").open("wb") as full:
+            done = subprocess.run(
+                [sys.executable, "-m", "gripcourse", "--version"],
+                stdout=full,
+                stderr=full,
+                check=False,
+            )
+        assert done.returncode == cli.WRONG_USE
+
     def test_an_unforeseen_failure_is_a_sentence_a_log_and_its_own_code(
         self, gripcourse: Command, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
     ) -> None:

@@ -8,6 +8,7 @@ import pytest
 
 from gripcourse.grading.identify import identify
 from gripcourse.grading.known_by import KnownBy
+from gripcourse.grading.path_pattern import path_pattern
 from gripcourse.submission.model import Identity
 
 if TYPE_CHECKING:
@@ -172,3 +173,33 @@ def test_nobody_is_guessed(register: "dict[str, Issued]", student: str) -> None:
     found = identify("answers.xlsx", Identity(student, "", "", {}, ""), register)
     assert found.issued is None
     assert found.doubt is None
+
+
+NOTHING_INSIDE = Identity("", "", "", {}, "")
+
+
+def test_a_file_and_its_folder_that_name_two_students_are_nobodys(
+    register: "dict[str, Issued]",
+) -> None:
+    found = identify("s01/ivanov_i.xlsx", NOTHING_INSIDE, register)
+    assert found.issued is None
+    assert "say ivanov_i and s01" in str(found.doubt)
+    alone = identify("ivanov_i/ivanov_i.xlsx", NOTHING_INSIDE, register)
+    assert alone.issued == register["ivanov_i"]
+
+
+def test_an_order_of_folders_that_names_two_students_asks_a_person(
+    register: "dict[str, Issued]",
+) -> None:
+    pattern = path_pattern("{name}/{id}/*.xlsx", register)
+    own = identify("Шевченко Оксана/s02/w.xlsx", NOTHING_INSIDE, register, pattern)
+    assert own.issued == register["s02"]
+    short = identify("Оксана/s02/w.xlsx", NOTHING_INSIDE, register, pattern)
+    assert short.issued == register["s02"]
+    mixed = identify("Иванов Игорь/s02/w.xlsx", NOTHING_INSIDE, register, pattern)
+    assert mixed.issued is None
+    assert "say s02 and ivanov_i" in str(mixed.doubt)
+    signed_all_the_same = identify(
+        "Иванов Игорь/s02/w.xlsx", signed(register, "s02"), register, pattern
+    )
+    assert signed_all_the_same.known_by is KnownBy.SIGNATURE

@@ -10,12 +10,14 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from gripcourse.course.model import Course
-from gripcourse.errors import TableError
+from gripcourse.errors import Problem, TableError
 from gripcourse.machine.enclosed import is_file_name
+from gripcourse.text.units import unit_text
 from gripcourse.text.words import LANGUAGES, Texts
 from gripcourse.variants.draw import draw
-from gripcourse.variants.headings import table_vocabulary
+from gripcourse.variants.headings import find_columns, table_vocabulary
 from gripcourse.variants.model import Variant
+from gripcourse.variants.sheet import Sheet
 from gripcourse.variants.space import load_spaces
 from gripcourse.variants.table import read_own_table, read_table, write_table
 
@@ -275,6 +277,37 @@ def test_every_schemes_title_of_a_given_finds_its_column(small_course: Course) -
     course = replace(small_course, schemes={"press": press, "other": other})
     vocabulary = table_vocabulary(course)
     assert vocabulary.find("load") == vocabulary.find("mass of the object") == {"mass"}
+
+
+def test_letters_that_an_old_code_page_lost_hide_no_column(reference_course: Course) -> None:
+    """Saved by Excel as plain CSV a template has `?` in the place of Greek letters."""
+    vocabulary = table_vocabulary(reference_course)
+    lost = 0
+    for given_quantity in vocabulary.quantities.values():
+        title, symbol = given_quantity.title.of("ru"), given_quantity.symbol.of("ru")
+        heading = f"{title}, {symbol} [{unit_text(given_quantity.unit, 'ru')}]"
+        damaged = heading.encode("cp1251", "replace").decode("cp1251")
+        lost += damaged != heading
+        problems: list[Problem] = []
+        found = find_columns(
+            Sheet("t.csv", (damaged,), (), decimal_comma=True), vocabulary, problems
+        )
+        assert problems == []
+        assert [(id_, one.unit) for id_, one in found.items()] == [
+            (given_quantity.id, given_quantity.unit)
+        ]
+    assert lost > 20
+
+
+def test_a_sign_that_was_never_lost_is_no_symbol(reference_course: Course) -> None:
+    problems: list[Problem] = []
+    heading = "допускаемое напряжение изгиба рычага (пальца), ??? [МПа]"
+    find_columns(
+        Sheet("t.csv", (heading,), (), decimal_comma=True),
+        table_vocabulary(reference_course),
+        problems,
+    )
+    assert len(problems) == 1
 
 
 def test_a_workbook_of_variants_comes_back_as_it_was(tmp_path: Path, small_course: Course) -> None:

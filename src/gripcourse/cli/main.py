@@ -6,7 +6,8 @@ Exit codes: 0 done; 1 done, something needs a person; 2 wrong use or invalid cou
 import logging
 import sys
 import traceback
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
+from contextlib import suppress
 from datetime import datetime
 from pathlib import Path
 from time import perf_counter
@@ -55,7 +56,7 @@ from gripcourse.cli.options import (
 )
 from gripcourse.cli.pairs import read_pairs
 from gripcourse.cli.problems import said_of
-from gripcourse.errors import GripcourseError, system_problem
+from gripcourse.errors import GripcourseError, memory_problem, system_problem
 from gripcourse.machine.process_wide import collect_rarely
 from gripcourse.text.words import Words, message
 
@@ -270,19 +271,37 @@ def _guard(run: Callable[[], int | None]) -> int:
     try:
         return run() or DONE
     except GripcourseError as error:
-        for line in said_of(error.problems, chosen_words()):
-            typer.echo(line, err=True)
-        return WRONG_USE
+        return _refused(said_of(error.problems, chosen_words()))
     except OSError as error:
-        typer.echo(system_problem(error).say(chosen_words()), err=True)
-        return WRONG_USE
+        return _refused([system_problem(error).say(chosen_words())])
+    except MemoryError:
+        pass  # what the failure holds is let go first: a sentence takes memory, too
     except Exception:  # noqa: BLE001 (the last place that can say it kindly)
         trace = traceback.format_exc()
         log = cli_text.write_incident(trace)
-        if is_verbose() or log is None:
-            typer.echo(trace, err=True)
         said = message("This is our mistake, not yours. The details are in {file}.", file=str(log))
         if log is None:
             said = message("This is our mistake, not yours. The details stand above.")
-        typer.echo(chosen_words().say(said), err=True)
+        lines = [trace] if is_verbose() or log is None else []
+        _complain([*lines, chosen_words().say(said)])
         return OUR_MISTAKE
+    return _refused([_said_of_memory()])
+
+
+def _said_of_memory() -> str:
+    try:
+        return memory_problem().say(chosen_words())
+    except MemoryError:  # not even for the sentences of another language
+        return memory_problem().say(Words("en"))
+
+
+def _refused(lines: Iterable[str]) -> int:
+    _complain(lines)
+    return WRONG_USE
+
+
+def _complain(lines: Iterable[str]) -> None:
+    """Write to the error stream; where nothing can be written to it either, the code says it."""
+    with suppress(OSError):
+        for line in lines:
+            typer.echo(line, err=True)

@@ -39,6 +39,9 @@ class HandedIn:
     doubt: Message | None = None
 
 
+_NOBODYS = HandedIn(None, KnownBy.NOTHING)
+
+
 def identify(
     file: str,
     identity: Identity | None,
@@ -86,19 +89,20 @@ def _by_path(file: str, register: Mapping[str, Issued], pattern: PathPattern | N
     stated = None if pattern is None else pattern.part_of(file)
     if stated is not None:
         entry = _of_pattern(stated, register)
+        if entry is not None and (other := _other_by_name(stated, entry, register)):
+            return _doubtful(_two_in_path(entry.student.id, other))
         return HandedIn(entry, KnownBy.PLATFORM if entry else KnownBy.NOTHING)
     part = platform_part(file)
     if part is not None:
         entry = _of_platform(part, register)
         return HandedIn(entry, KnownBy.PLATFORM if entry else KnownBy.NOTHING)
     path = PurePath(unicodedata.normalize("NFC", file))
-    if path.stem in register:
-        return HandedIn(register[path.stem], KnownBy.FILE_NAME)
     # Handouts are folders named after their students; a bare number may count anything.
-    folder = path.parent.name
-    if folder in register and not folder.isdecimal():
-        return HandedIn(register[folder], KnownBy.FILE_NAME)
-    return HandedIn(None, KnownBy.NOTHING)
+    folder = path.parent.name if not path.parent.name.isdecimal() else ""
+    told = [one for one in dict.fromkeys((path.stem, folder)) if one in register]
+    if len(told) > 1:
+        return _doubtful(_two_in_path(*told))
+    return HandedIn(register[told[0]], KnownBy.FILE_NAME) if told else _NOBODYS
 
 
 def _of_pattern(part: PlatformPart, register: Mapping[str, Issued]) -> Issued | None:
@@ -128,15 +132,29 @@ def _contradiction(
         told = by_path.issued.student.id
         return None if told == student.id else _two_names(student.id, told)
     part = platform_part(file)
-    if part is None or part.is_named(student.name):
-        return None
+    other = "" if part is None else _other_by_name(part, signed, register)
+    return _two_names(student.id, other) if other else None
+
+
+def _other_by_name(part: PlatformPart, entry: Issued, register: Mapping[str, Issued]) -> str:
+    """Return the id of another student whose name a path bears; empty where it is this one's."""
+    if part.is_named(entry.student.name):
+        return ""
     others = (one.student.id for one in register.values() if part.is_named(one.student.name))
-    other = next(others, None)
-    return None if other is None else _two_names(student.id, other)
+    return next(others, "")
 
 
 def _doubtful(said: Message) -> HandedIn:
     return HandedIn(None, KnownBy.NOTHING, said)
+
+
+def _two_in_path(student: str, other: str) -> Message:
+    return message(
+        "Who handed this in? The names of the file and its folders say {student} and {other}. It"
+        " was not graded and nobody's mark changes.",
+        student=student,
+        other=other,
+    )
 
 
 def _two_names(workbook: str, path: str) -> Message:

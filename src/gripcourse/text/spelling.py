@@ -6,6 +6,9 @@ from typing import Final
 APOSTROPHES: Final = "'’‘ʼ`´′ʹ＇"
 """Ukrainian names have one; each keyboard and each office program has another sign for it."""
 
+LOST_SIGN: Final = "?"
+"""What spreadsheet programs write for a letter that an old code page lacks, such as a Greek one."""
+
 _HYPHENS: Final = "‐‑–—−"
 _SAME: Final = str.maketrans(
     {"ё": "е", **dict.fromkeys(APOSTROPHES, "'"), **dict.fromkeys(_HYPHENS, "-")}
@@ -16,3 +19,9 @@ def plain(text: str) -> str:
     """Return a text without what people do not see: capitals, spare blanks, sorts of one sign."""
     folded = unicodedata.normalize("NFC", text).casefold().translate(_SAME)
     return " ".join(folded.split())
+
+
+def may_have_been(whole: str, damaged: str) -> bool:
+    """Tell whether a text is another one in which a code page put a sign for those it lacks."""
+    signs = zip(whole, damaged, strict=False)
+    return len(whole) == len(damaged) and all(two in {one, LOST_SIGN} for one, two in signs)

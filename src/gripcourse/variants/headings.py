@@ -19,9 +19,9 @@ from gripcourse.course.model import Course
 from gripcourse.course.option_sets import pair_option_sets
 from gripcourse.course.quantity import Kind, Quantity
 from gripcourse.errors import Problem
-from gripcourse.text.spelling import plain
+from gripcourse.text.spelling import LOST_SIGN, may_have_been, plain
 from gripcourse.text.suggestion import did_you_mean
-from gripcourse.text.units import dimension, read_unit
+from gripcourse.text.units import dimension, read_unit, unit_text
 from gripcourse.text.words import LANGUAGES, Message, Texts, message
 from gripcourse.variants.sheet import Sheet, SheetRow, column_name
 
@@ -79,12 +79,19 @@ class Vocabulary:
         """
         small = plain(name)
         title, _, symbol = name.rpartition(",")
-        both = self.titles.get(plain(title), frozenset()) & self._of_symbol(symbol)
+        both = self.titles.get(plain(title), frozenset()) & self._of_damaged_symbol(symbol)
         exact = both or self.ids.get(small) or self.titles.get(small) or self._of_symbol(name)
         return exact or self.spoken.get(_spoken(name), frozenset())
 
     def _of_symbol(self, text: str) -> frozenset[str]:
         return self.symbols.get(text.strip(), frozenset())
+
+    def _of_damaged_symbol(self, text: str) -> frozenset[str]:
+        """Return the ids of a symbol some of whose letters a code page may have lost."""
+        if LOST_SIGN not in text:
+            return self._of_symbol(text)
+        found = (ids for one, ids in self.symbols.items() if may_have_been(one, text.strip()))
+        return frozenset().union(*found)
 
 
 @lru_cache(maxsize=1)
@@ -272,6 +279,9 @@ def _unit(
     sheet: Sheet, key: Message, text: str, quantity: Quantity, problems: list[Problem]
 ) -> str | None:
     unit = read_unit(text)
+    if unit is None and LOST_SIGN in text:
+        written = (unit_text(quantity.unit, language) for language in LANGUAGES)
+        unit = quantity.unit if any(may_have_been(one, text) for one in written) else None
     if unit is None:
         problems.append(
             Problem(

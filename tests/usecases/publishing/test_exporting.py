@@ -13,7 +13,7 @@ from gripcourse.exports.platforms.works import works_of
 from gripcourse.grading.model import Report
 from gripcourse.text.words import Words
 from gripcourse.usecases.grading.batch_tables import json_text
-from gripcourse.usecases.publishing.exporting import Results, gradescope_file
+from gripcourse.usecases.publishing.exporting import Results, gradescope_file, moodle_files
 from support.reports import perfect, values, variant
 
 if TYPE_CHECKING:
@@ -60,3 +60,22 @@ def test_who_handed_in_nothing_is_named_in_the_results_of_a_batch(issued: "Class
     assert read["missing"] == [
         {"student": "s02", "name": lacking.name, "group": lacking.group, "email": "s02@x.example"}
     ]
+
+
+@pytest.mark.parametrize(("language", "said"), [("en", "points"), ("uk", "балів"), ("", "баллов")])
+def test_a_comment_is_in_the_language_of_the_student_it_is_for(
+    issued: "Classroom", perfect: Report, tmp_path: Path, language: str, said: str
+) -> None:
+    results = several(issued, perfect, True)
+    reader = replace(results.students["s01"], language=language)
+    results = replace(results, students={"s01": reader})
+    worksheet = tmp_path / "Grades.csv"
+    worksheet.write_text(
+        "Identifier,ID number,Grade,Maximum grade,Last modified (grade),Feedback comments\n"
+        "Participant 9,s01,,100.00,-,\n",
+        encoding="utf-8-sig",
+    )
+    out = tmp_path / "filled.csv"
+    filled, _ = moodle_files(results, worksheet, out, None)
+    assert filled.filled == 1
+    assert said in out.read_text(encoding="utf-8-sig")

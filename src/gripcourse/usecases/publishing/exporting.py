@@ -68,6 +68,11 @@ class Results:
         """Tell where the report of a work lies."""
         return self.reports / f"{work.report.student}.pdf"
 
+    def words_of(self, student: str) -> Words:
+        """Return the words in which a student is told something: their own, or the course's."""
+        known = self.students.get(student)
+        return Words((known.language if known is not None else "") or self.course.language)
+
 
 def open_results(root: Path, grades: Path) -> Results:
     """Read `grades.json` and the register of its course.
@@ -104,7 +109,9 @@ def moodle_files(
     """
     course, words = results.course, Words(results.course.language)
     filled = fill_worksheet(
-        read_worksheet(worksheet), results.works, lambda work: comment_html(work, course, words)
+        read_worksheet(worksheet),
+        results.works,
+        lambda work: comment_html(work, course, results.words_of(work.report.student)),
     )
     notes: tuple[Message, ...] = ()
     if feedback is not None:
@@ -134,7 +141,7 @@ def gradescope_file(results: Results, student: str, out: Path, *, published: boo
         UsageError: it is not clear whose.
     """
     report = _only_report(results, student)
-    words = Words(results.course.language)
+    words = results.words_of(report.student)
     plain = gradescope_results(report, results.course, words, published=published)
     text = json.dumps(plain, ensure_ascii=False, indent=1, allow_nan=False)
     write_text(out, text, private=True)
@@ -190,9 +197,7 @@ def outbox_folders(results: Results, out: Path) -> tuple[Path, ...]:
 
 def _letter(results: Results, work: GradedWork) -> str:
     """Return the text for a student, in the student's language."""
-    known = results.students.get(work.report.student)
-    language = known.language if known is not None else ""
-    words = Words(language or results.course.language)
+    words = results.words_of(work.report.student)
     course = results.course.title.of(words.language)
     lines = (
         words.say(message("To: {address}", address=work.email or "—")),
