@@ -1,10 +1,17 @@
 """A number that is asked for in several cells and was computed wrongly once is one mistake."""
 
+import math
 from typing import TYPE_CHECKING
 
+import numpy as np
 import pytest
 
+from gripcourse.formula.evaluate import evaluate
 from gripcourse.grading.model import Outcome
+from gripcourse.policy.slips import SlipKind
+from gripcourse.slips.candidates import candidates_of
+from gripcourse.solver.solve import to_si
+from gripcourse.text.units import factor
 
 if TYPE_CHECKING:
     from conftest import Case
@@ -80,3 +87,43 @@ class TestWhatGoverns:
         findings = {one.quantity: one for one in report.findings}
         assert findings["grip_force_min"].roots == ("finger_force_right",)
         assert {one.quantity for one in report.causes} == {"finger_force_right"}
+
+
+class TestANumberThatCannotBeBesideABlankOne:
+    def test_what_follows_is_put_to_the_number_that_was_written(
+        self, table: "tuple[Case, ...]"
+    ) -> None:
+        """Degrees taken for radians make N_1b negative; N_3b, which is like it, was not written.
+
+        X_13 takes N_1b·(sin φ + f·cos φ): it shows either slip alike.
+        """
+        told = set()
+        for case in table:
+            if not {"contact_normal_1", "contact_normal_3"} <= set(case.answers):
+                continue
+            angle = math.radians(case.given["contact_angle_1"])
+            share = math.sin(angle) + case.given["friction"] * math.cos(angle)
+            right = case.reference["contact_normal_1"]
+            for wrong in _of_radians(case, "contact_normal_1"):
+                if not -3 * right < wrong < -0.3 * right:
+                    continue
+                opening = case.reference["finger_opening_right"] + (wrong - right) * share
+                answers = {
+                    **case.answers,
+                    "contact_normal_1": wrong,
+                    "contact_normal_3": None,
+                    "finger_opening_right": opening,
+                }
+                told.add(case.findings(answers)["finger_opening_right"].roots)
+        assert told == {("contact_normal_1",)}
+
+
+def _of_radians(case: "Case", name: str) -> list[float]:
+    """What the formula of an answer gives if degrees are taken for radians in it."""
+    known = {one: np.asarray(v) for one, v in to_si(case.plan, case.reference).items()}
+    unit = case.plan.quantities[name].unit
+    return [
+        float(evaluate(one.formula, unit, known, case.plan.columns)) / factor(unit)
+        for one in candidates_of(case.plan, name, case.policy.slips)
+        if one.kind == SlipKind.ANGLE_UNIT
+    ]

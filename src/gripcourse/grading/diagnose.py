@@ -88,6 +88,9 @@ def _explained(
         return judgement if other is None else _with_other_cell(comparison, judgement, other)
     if explanation.likeliest.of == comparison.quantity.id:
         return _with_slip(comparison, judgement, explanation)
+    methods = (explanation.likeliest, *explanation.tied)
+    if any(one.of in comparison.follow_through.not_carried for one in methods):
+        return judgement  # that step is not blank: what its number leads to is looked at by itself
     return _with_earlier_slip(comparison, judgement, explanation)
 
 
