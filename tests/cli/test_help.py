@@ -28,8 +28,8 @@ TYPED = frozenset(
         *("csv", "xlsx", "zip", "json", "dxf", "svg", "url", "en", "ru", "uk", "corrected", "as"),
         *(
             "printed",
-            "drive",
-            "electric",
+            "material",
+            "steel",
             "mass",
             "lever",
             "arms",
