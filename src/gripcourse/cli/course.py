@@ -140,7 +140,7 @@ def doctor(language: LanguageOption = None) -> None:
 @app.command(cls=SpokenCommand)
 def atlas(
     name: Annotated[
-        str, typer.Argument(metavar="atlas", help="Atlas of the course, for example lever-arms.")
+        str, typer.Argument(metavar="atlas", help="A file of variants/atlas, without .toml.")
     ],
     *,
     out: OutOption = Path("atlas"),

@@ -83,7 +83,7 @@ def _wanted(parameter: TyperOption | TyperArgument) -> Message:
 
 def _spoken_name(parameter: TyperOption | TyperArgument, words: Words) -> str:
     if isinstance(parameter, TyperArgument):
-        return words.declared(parameter.metavar or parameter.name)
+        return f"<{words.declared(parameter.metavar or parameter.name)}>"
     return ", ".join(parameter.opts)
 
 

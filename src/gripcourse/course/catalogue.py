@@ -187,7 +187,9 @@ def _header(file: str, rows: list[list[str]], problems: list[Problem]) -> dict[s
 
 def _strays(file: str, written: Mapping[str, str], units: Mapping[str, str]) -> Iterator[Problem]:
     """Yield lines on top that are about a column which is not there: one of both is misspelt."""
-    named = {name.split(".")[1]: name for name in reversed(written) if name.startswith("column.")}
+    named = {
+        name.split(".")[1]: name for name in reversed(list(written)) if name.startswith("column.")
+    }
     for column, line in named.items():
         if units and column not in units:
             what = message("There is no column '{column}' for this line.", column=column)

@@ -4,6 +4,7 @@ import math
 import re
 import xml.etree.ElementTree as ET
 from collections.abc import Iterator
+from dataclasses import replace
 from io import BytesIO
 from itertools import combinations, product
 from typing import TYPE_CHECKING
@@ -379,3 +380,15 @@ def test_views_that_no_sheet_has_room_for_are_named_with_file_and_key(draw: "Dra
     assert problem.file.endswith("flange.toml")
     assert problem.key == "part[1]"
     assert "A2" in str(problem.what)
+
+
+@pytest.mark.parametrize("declares", [True, False])
+def test_what_an_asterisk_means_is_said_once(draw: "Draw", *, declares: bool) -> None:
+    """By the course's own requirement, else by the program."""
+    plan, values = draw("001").plan, draw("001").values
+    assert plan.scheme.view is not None
+    view = plan.scheme.view if declares else replace(plan.scheme.view, requirements=())
+    drawn = general_view(plan, view, values, TitleBlock("001", "x", "x", ""), Words("ru"))
+    svg = svg_text(drawn.document, drawn.arranged.sheet.width, drawn.arranged.sheet.height, "x")
+    assert svg.count("* Размеры для справок.") == 1
+    assert "Технические требования" in svg
