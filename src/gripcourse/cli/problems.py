@@ -12,9 +12,9 @@ _OPTIONS: Final[Mapping[str, str]] = {
     "given": "--set",
     "lines": "--line",
     "quantities": "--quantity",
-    "quantity": "ITEM",
-    "student": "STUDENT",
 }
+# What has no name on the command line but a place; called as its help calls it.
+_PLACES: Final[Mapping[str, str]] = {"quantity": "item", "student": "student"}
 
 TYPED: Final[Mapping[NextStep, str]] = {
     NextStep.ALLOW_LOWER: "--allow-lower",
@@ -47,6 +47,8 @@ def said_of(problems: Sequence[Problem], words: Words) -> Iterator[str]:
 def spoken(problem: Problem, words: Words) -> str:
     """Put a problem into words for somebody who sits at the command line."""
     option = _OPTIONS.get(problem.parameter, f"--{problem.parameter.replace('_', '-')}")
+    if problem.parameter in _PLACES:
+        option = f"<{words.declared(_PLACES[problem.parameter])}>"
     remedy = problem.remedy
     if problem.step is not None:
         remedy = message(
