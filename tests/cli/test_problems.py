@@ -86,8 +86,12 @@ def test_what_has_no_option_is_called_as_the_help_calls_it(
 
 @pytest.mark.parametrize(("language", "unit"), [("en", "/min"), ("ru", "/мин"), ("uk", "/хв")])
 def test_how_fast_it_goes_is_said_in_the_readers_language(
-    language: str, unit: str, capsys: pytest.CaptureFixture[str]
+    language: str,
+    unit: str,
+    capsys: pytest.CaptureFixture[str],
+    monkeypatch: pytest.MonkeyPatch,
 ) -> None:
+    monkeypatch.setattr("sys.argv", ["gripcourse", "grade"])
     with progress(Words(language)) as step:
         step("…", 1)()
     assert re.search(rf"1/1 \d+{unit} ", capsys.readouterr().err)
