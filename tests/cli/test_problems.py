@@ -11,6 +11,7 @@ import pytest
 from gripcourse.cli import grade as cli_grade
 from gripcourse.cli import main as cli
 from gripcourse.cli.problems import TYPED, said_of, spoken
+from gripcourse.cli.text import progress
 from gripcourse.errors import NextStep, Problem
 from gripcourse.text.words import LANGUAGES, Words, message
 
@@ -82,3 +83,29 @@ def test_what_is_wrong_in_many_places_of_a_file_is_said_once() -> None:
         "a.toml: quantity.v.formula: There is no section 'duty'. Write it.\n  1 + v\n      ^",
         "b.toml: quantity.w.section: There is no section 'duty'. Write it.",
     ]
+
+
+@pytest.mark.parametrize(
+    ("language", "student", "item"),
+    [("en", "<student>", "<item>"), ("ru", "<студент>", "<пункт>"), ("uk", "<студент>", "<пункт>")],
+)
+def test_what_has_no_option_is_called_as_the_help_calls_it(
+    language: str, student: str, item: str
+) -> None:
+    words = Words(language)
+    for parameter, called in (("student", student), ("quantity", item)):
+        problem = Problem("", "", message("Name one."), message(""), parameter=parameter)
+        assert spoken(problem, words).startswith(f"{called}: ")
+
+
+@pytest.mark.parametrize(("language", "unit"), [("en", "/min"), ("ru", "/мин"), ("uk", "/хв")])
+def test_how_fast_it_goes_is_said_in_the_readers_language(
+    language: str,
+    unit: str,
+    capsys: pytest.CaptureFixture[str],
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr("sys.argv", ["gripcourse", "grade"])
+    with progress(Words(language)) as step:
+        step("…", 1)()
+    assert re.search(rf"1/1 \d+{unit} ", capsys.readouterr().err)

@@ -174,7 +174,7 @@ def _grade_anew(begun: "Beginning", order: _Order, manner: _Manner) -> bool:
     say_limits(words)
     with (
         open_workers(manner.workers, manner.cluster) as (hands, pool),
-        cli_text.progress() as shown,
+        cli_text.progress(words) as shown,
         progress_noted(out, shown) as step,
     ):
         tick = step(words.say(message("Grading")), len(files))

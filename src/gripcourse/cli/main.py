@@ -199,7 +199,7 @@ def issue(  # noqa: PLR0913 (one parameter per option)
         link_days=link_days,
     )
     say_limits(words)
-    with cli_text.progress() as step:
+    with cli_text.progress(words) as step:
         ticks: list[Callable[[], None]] = []
         issuing = issue_order(
             loaded,

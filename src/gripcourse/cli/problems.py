@@ -13,9 +13,9 @@ _OPTIONS: Final[Mapping[str, str]] = {
     "given": "--set",
     "lines": "--line",
     "quantities": "--quantity",
-    "quantity": "ITEM",
-    "student": "STUDENT",
 }
+# What has no name on the command line but a place; called as its help calls it.
+_PLACES: Final[Mapping[str, str]] = {"quantity": "item", "student": "student"}
 
 TYPED: Final[Mapping[NextStep, str]] = {
     NextStep.ALLOW_LOWER: "--allow-lower",
@@ -75,6 +75,8 @@ def _joined(left: str | Message, right: str | Message) -> str | Message:
 def spoken(problem: Problem, words: Words) -> str:
     """Put a problem into words for somebody who sits at the command line."""
     option = _OPTIONS.get(problem.parameter, f"--{problem.parameter.replace('_', '-')}")
+    if problem.parameter in _PLACES:
+        option = f"<{words.declared(_PLACES[problem.parameter])}>"
     remedy = problem.remedy
     if problem.step is not None:
         remedy = message(

@@ -98,7 +98,7 @@ def regrade(  # noqa: PLR0913 (one parameter per option)
     with suppress(OSError):
         earlier = open_earlier(root / "private", context, versions, workers=workers)
     say_limits(words)
-    with cli_text.progress() as step:
+    with cli_text.progress(words) as step:
         tick = step(words.say(message("Grading")), len(files))
         kept = None if earlier is None else earlier.reports
         found = command.regrade(files, context, place, workers, now, lambda _: tick(), kept=kept)

@@ -75,7 +75,7 @@ def reissue(  # noqa: PLR0913 (one parameter per option)
         link_days=link_days,
     )
     say_limits(words)
-    with cli_text.progress() as step:
+    with cli_text.progress(words) as step:
         tick = step(words.say(message("Issuing")), len(students))
         issuing = reissue_order(loaded, load_policy(loaded), order, workers, lambda _: tick())
     confirm(cli_text.issuing_text(issuing, out, words))

@@ -60,7 +60,7 @@ def simulate(  # noqa: PLR0913 (one parameter per option)
     policy = load_policy(loaded)
     cohort = command.Cohort(count, seed, scheme)
     started = perf_counter()
-    with cli_text.progress() as step:
+    with cli_text.progress(words) as step:
         tick = step(words.say(message("Filling in")), count)
         written = command.simulate(loaded, policy, cohort, out, workers, tick)
     confirm(simulation_text.simulated_text(written, out, perf_counter() - started, words))
@@ -99,7 +99,7 @@ def evaluate(  # noqa: PLR0913 (one parameter per option)
     loaded = load_course(course_folder(course))
     policy = load_policy(loaded)
     cohort = command.Cohort(count, seed, scheme)
-    with cli_text.progress() as step:
+    with cli_text.progress(words) as step:
         works = command.works_in_memory(cohort) if folder is None else None
         tick = step(words.say(message("Grading")), works)
         if folder is None:
@@ -141,7 +141,7 @@ def tolerance_audit(  # noqa: PLR0913 (one parameter per option)
     policy = load_policy(loaded)
     sample = command.ToleranceSample(table or main_table(loaded.root), count, seed)
     variants = command.variants_of(loaded, sample)
-    with cli_text.progress() as step:
+    with cli_text.progress(words) as step:
         tick = step(words.say(message("Answering")), len(variants))
         found = command.audit(loaded, policy, variants, workers, tick)
     if out is not None:
@@ -171,6 +171,6 @@ def demo(
 
     words = words_for(language)
     say_limits(words)
-    with cli_text.progress() as step:
+    with cli_text.progress(words) as step:
         done = run_demo(course_folder(course), out, words, workers, step)
     confirm(grading_text.demo_text(done, words))

@@ -63,7 +63,7 @@ def chosen_convention(name: str | None) -> "Convention | None":
 
 
 @contextmanager
-def progress() -> Iterator[Step]:
+def progress(words: Words) -> Iterator[Step]:
     """Show a bar for each step with its rate and the time that it still takes; on stderr."""
     from rich.console import Console
     from rich.progress import (
@@ -89,7 +89,8 @@ def progress() -> Iterator[Step]:
 
             def tick() -> None:
                 rate = 60 * next(done) / max(perf_counter() - began, 0.001)
-                bar.update(task, advance=1, rate=f"{rate:.0f}/min")
+                said = words.say(message("{count}/min", count=f"{rate:.0f}"))
+                bar.update(task, advance=1, rate=said)
 
             return tick
 
