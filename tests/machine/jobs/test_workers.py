@@ -135,6 +135,26 @@ def test_a_worker_that_cannot_start_is_said_by_each_job(tmp_path: Path) -> None:
     assert "not for workers" in done.stderr
 
 
+def test_a_place_for_temporary_files_may_have_a_long_path(tmp_path: Path) -> None:
+    """Too long for the address at which forks are asked for."""
+    place = tmp_path.joinpath(*("a_folder_with_a_long_name",) * 5)
+    place.mkdir(parents=True)
+    asked = (
+        "from gripcourse.machine.jobs.workers import in_order, run_each\n"
+        "from operator import add\n"
+        "print(in_order(run_each(add, [1, 2], 3, workers=1, seconds=60)))\n"
+    )
+    done = subprocess.run(  # noqa: S603 (ours)
+        [sys.executable, "-c", asked],
+        capture_output=True,
+        text=True,
+        timeout=120,
+        check=True,
+        env={**os.environ, "TMPDIR": str(place)},
+    )
+    assert done.stdout == "(4, 5)\n"
+
+
 def test_a_job_that_ends_the_program_ends_only_itself(errands: ModuleType) -> None:
     jobs = run_each(errands.leave, range(3), None, workers=1, seconds=60, pool=INLINE)
     zero, one, two = in_order(jobs)

@@ -84,9 +84,15 @@ def _context() -> BaseContext:
     """
     if sys.platform != "linux" or len(os.fsencode(gettempdir())) > _LONGEST_TEMPORARY:
         return get_context("spawn")
+    from multiprocessing.forkserver import ensure_running  # noqa: PLC0415 (exists on Unix only)
+
     context = get_context("forkserver")
     ours = __name__.partition(".")[0]
     context.set_forkserver_preload([one for one in sys.modules if one.partition(".")[0] == ours])
+    try:
+        ensure_running()
+    except OSError:  # it needs a place for temporary files, whose path is not too long
+        return get_context("spawn")
     return context
 
 

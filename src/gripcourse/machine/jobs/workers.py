@@ -182,7 +182,7 @@ def _until_worker_dies(
                     continue
                 try:
                     running[executor.submit(*message.call)] = message
-                except BrokenExecutor:
+                except (BrokenExecutor, OSError):  # or what workers are forks of is gone
                     taken_along += message.numbers
             for future in wait(running, return_when=FIRST_COMPLETED).done:
                 message = running.pop(future)
@@ -245,7 +245,7 @@ def _can_start(crew: _Crew) -> bool:
     executor = crew.open(1)
     try:
         executor.submit(_nothing).result()
-    except BrokenExecutor:
+    except (BrokenExecutor, OSError):
         return False
     finally:
         executor.shutdown(cancel_futures=True)
