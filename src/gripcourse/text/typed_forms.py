@@ -1,8 +1,8 @@
 """Forms of a number that people type and that are more, or less, than digits and a unit.
 
-Degrees with minutes and seconds, simple fractions, a word or a sign before the number, a standard or
-a formula in brackets behind it, quotation marks round it. What could mean two things is left as it is, for a
-person to be asked.
+Degrees with minutes and seconds, simple fractions, a word or a sign before the number, a standard
+or a formula in brackets behind it, quotation marks round it. What could mean two things is left as
+it is, for a person to be asked.
 """
 
 import math
