@@ -1,6 +1,7 @@
 """From a TOML table to the declaration of a quantity."""
 
 import math
+from keyword import iskeyword
 from typing import Final
 
 from gripcourse.course.dashes import without_dashes
@@ -103,14 +104,15 @@ def source(table: Table) -> Source:
 
 def _check_id(identifier: str, table: Table) -> None:
     """Refuse an id that a formula would not take for a name."""
-    if not (identifier.isascii() and identifier.isidentifier()) or identifier in {
-        *FUNCTIONS,
-        *CONSTANTS,
-    }:
+    is_name = identifier.isascii() and identifier.isidentifier() and not iskeyword(identifier)
+    if not is_name or identifier in {*FUNCTIONS, *CONSTANTS}:
         table.add(
             "",
             message("A formula cannot use the name '{name}'.", name=identifier),
-            message("Take Latin letters, digits and _, no dash and no function's name."),
+            message(
+                "Take Latin letters, digits and _, no dash, no function's name and no word such as"
+                " and, if, class."
+            ),
         )
 
 

@@ -44,11 +44,11 @@ def by_label(raw: RawWorkbook, quantities: Iterable[Quantity]) -> Relabelled:
     answers, moved = dict(raw.answers), []
     named = {_sheet_of(cell) for cell in raw.answers.values()}
     for name, known in titles.items():
-        cell = raw.answers.get(name)
-        if cell is not None and _stands(cell, known):
+        own = raw.answers.get(name)
+        if own is not None and _stands(own, known):
             continue
         found = [one for title in sorted(known) for one in rows.get(title, ())]
-        if cell is None:  # removed, unless its whole sheet only bears another name
+        if own is None:  # removed, unless its whole sheet only bears another name
             found = [one for one in found if _sheet_of(one) not in named]
         if len(found) == 1:
             answers[name] = found[0]

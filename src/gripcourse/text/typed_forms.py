@@ -1,8 +1,8 @@
 """Forms of a number that people type and that are more, or less, than digits and a unit.
 
 Degrees with minutes and seconds, simple fractions, a word or a sign before the number, a standard
-in brackets behind it, quotation marks round it. What could mean two things is left as it is, for a
-person to be asked.
+or a formula in brackets behind it, quotation marks round it. What could mean two things is left as
+it is, for a person to be asked.
 """
 
 import math
@@ -40,7 +40,10 @@ _ABOUT: Final = re.compile(
 )
 _DIAMETER: Final = re.compile(r"[ØøΦφФф⌀∅]\s*(?=\d)")
 _STANDARD: Final = re.compile(
-    r"\s*[(\[](?:по\s+|за\s+|to\s+)?(?:гост|дсту|ост|исо|iso|din|en|ряд\w{0,2}|табл\w{0,5}|стандарт|row|table)\b[^()\[\]]*[)\]]$",
+    r"\s*[(\[](?:(?:по|за|из|з|см\.|див\.|to|by|from|see)\s+)?"
+    r"(?:гост|дсту|ост|исо|iso|din|en|ряд\w{0,2}|табл\w{0,5}|стандарт|row|table"
+    r"|формул\w{0,3}|ф-л\w|уравн\w{0,5}|рівнян\w{0,4}|рис\w{0,5}|formula|eq|equation|fig|figure)"
+    r"\b[^()\[\]]*[)\]]$",
     re.IGNORECASE,
 )
 _APOSTROPHES: Final = re.compile(r"[-+]?\d{1,3}(?:['’]\d{3})+(?:[.,]\d+)?(?![\d'’])")

@@ -160,6 +160,18 @@ def test_marks_of_details_stand_free_of_each_other_and_of_numbers(
     assert not [pair for pair in combinations(boxes, 2) if pair[0].overlaps(pair[1])]
 
 
+@each("any_variants", "any_variant")
+def test_letters_of_sections_stand_outside_of_the_circles_of_details(
+    draw: "Draw", any_variant: str
+) -> None:
+    marks = draw(any_variant).view.faces[Face.MAIN].marks
+    for rim in (one.rim for one in marks if one.rim is not None):
+        x, y = rim.centre
+        for box in (box for mark in marks for box in mark.letters):
+            near = (min(max(x, box.left), box.right), min(max(y, box.bottom), box.top))
+            assert math.dist(rim.centre, near) > rim.radius
+
+
 def test_a_dimension_measures_the_quantity_that_it_names(
     draw: "Draw", any_variants: list[str], subtests: pytest.Subtests
 ) -> None:

@@ -199,15 +199,27 @@ def marks_of(
         below: where extension lines run down from the view.
     """
     planes = [one.at[0] * scale for one in details if one.is_section]
+    rims = [
+        None if one.is_section else Arc(at_place(one.at, scale, _ORIGIN), one.reach * scale)
+        for one in details
+    ]
     marks = []
-    for number, one in enumerate(details):
-        x, y = at_place(one.at, scale, _ORIGIN)
-        rim = None if one.is_section else Arc((x, y), one.reach * scale)
+    for number, (one, rim) in enumerate(zip(details, rims, strict=True)):
+        x, _ = at_place(one.at, scale, _ORIGIN)
         towards = -1 if any(0 <= x - other < _CLOSE for other in planes if other != x) else 1
         letter = letter_of(number, words)
         sides = (towards, -towards) if one.is_section else (towards,)
-        marks.append([DetailMark(letter, side, rim, x, bare.bottom, bare.top) for side in sides])
+        low, high = _levels(x, letter, bare, [arc for arc in rims if arc is not None])
+        marks.append([DetailMark(letter, side, rim, x, low, high) for side in sides])
     return min(product(*marks), key=lambda chosen: _in_the_way(chosen, below))
+
+
+def _levels(x: float, letter: str, bare: Box, rims: Sequence[Arc]) -> tuple[float, float]:
+    """Return below and above what a plane is marked: the view, and circles of details beside it."""
+    beside = _SHAFT + 2 * _AWAY + text_width(letter, LETTER)
+    near = [one for one in rims if abs(one.centre[0] - x) < one.radius + beside]
+    low = min([bare.bottom, *(one.centre[1] - one.radius for one in near)])
+    return low, max([bare.top, *(one.centre[1] + one.radius for one in near)])
 
 
 def _in_the_way(marks: Sequence[DetailMark], below: Sequence[float]) -> tuple[int, int]:
