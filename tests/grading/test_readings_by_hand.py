@@ -1,7 +1,6 @@
 """Honest readings of a sheet, computed by hand from given values: all points, and a remark."""
 
 import math
-from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 import pytest
@@ -9,6 +8,8 @@ import pytest
 from gripcourse.grading.model import Against
 
 if TYPE_CHECKING:
+    from collections.abc import Iterator
+
     from conftest import Case
 
 
@@ -47,7 +48,7 @@ class TestMomentAtTheLug:
     def test_the_pivots_side_may_be_taken_by_its_force_alone(
         self, table: "tuple[Case, ...]"
     ) -> None:
-        """P 516.7 N, F 149.2 N, h_2·cos ψ 50.88 mm, χ 0.347°: (P − F)·h_2·cos ψ·cos χ = 18.70 N·m."""
+        """P 516.7 N, F 149.2 N, h_2·cos ψ 50.88 mm, χ 0.347°: 367.5·0.05088·cos χ = 18.70 N·m."""
         tried = 0
         for case in of_scheme(table, "cross_cylinder"):
             given, reference = case.given, case.reference
