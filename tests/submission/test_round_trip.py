@@ -15,6 +15,8 @@ from openpyxl.workbook.defined_name import DefinedName
 from gripcourse.course.quantity import Kind
 from gripcourse.solver.plan import Plan
 from gripcourse.submission.model import Answer, Reading
+from gripcourse.submission.raw import RawWorkbook
+from gripcourse.submission.read import read_workbook
 from gripcourse.text.words import Words, message
 
 if TYPE_CHECKING:
@@ -293,6 +295,24 @@ def test_answers_are_found_after_sheets_were_renamed_and_cells_moved(returned: "
     book.defined_names["answer.bore_required"].value = "'Мой ''привод'''!$K$40"
     answer = returned.read(returned.saved(book)).answers[BORE]
     assert (answer.value, answer.cell) == (60.08, "Мой 'привод'!K40")
+
+
+def test_answers_of_a_sheet_that_is_not_there_are_blank_and_that_is_said(
+    returned: "Returned",
+) -> None:
+    book = returned.book()
+    returned.cell(book, BORE).value = 60.08
+    [(title, _)] = book.defined_names["answer.bore_required"].destinations
+    book[title].title = "Лист 1"  # a program that leaves the names as they were
+    raw = read_workbook(returned.saved(book))
+    assert isinstance(raw, RawWorkbook)
+    (said,) = [one for one in raw.remarks if "does not have" in str(one)]
+    assert f"'{title}'" in str(said)
+    assert "in all: 0" not in str(said)
+    assert BORE not in raw.answers
+    whole = read_workbook(returned.saved(returned.book()))
+    assert isinstance(whole, RawWorkbook)
+    assert not [one for one in whole.remarks if "does not have" in str(one)]
 
 
 def test_names_that_a_sheet_keeps_for_itself_are_used_when_the_workbook_lost_them(

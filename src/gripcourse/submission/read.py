@@ -36,6 +36,7 @@ from gripcourse.machine.spreadsheet.xml_scan import local
 from gripcourse.submission.harmless import about_damage, about_lost_formats
 from gripcourse.submission.identity import creator_of, identity_of
 from gripcourse.submission.looks import looks_of
+from gripcourse.submission.missing_sheets import about_missing_sheets
 from gripcourse.submission.model import Rejected, WhyRefused
 from gripcourse.submission.other_workbooks import about_other_workbooks
 from gripcourse.submission.raw import RawCell, RawWorkbook
@@ -187,12 +188,13 @@ def _definitions(package: Package, workbook: str) -> Iterator[tuple[str, str]]:
 def _cells(package: Package, workbook: str, named: Mapping[str, _Named]) -> _NamedCells:
     """Read the cells that our names point to, and those of their columns that none points to.
 
-    Cells whose sheet is gone are left out.
+    Cells whose sheet is gone are left out, and of answers that is said.
 
     Raises:
         KeyError: a sheet is listed that has no cells, not even blank ones, and answers were there.
     """
     answers = {one for name, one in named.items() if name.startswith(_ANSWER)}
+    pointed_at = [one.sheet for name, one in named.items() if name.startswith(_ANSWER)]
     if lost := package.lost_sheets(workbook) & {one.sheet for one in answers}:
         raise KeyError(*lost)
     beside = set(_beside(answers))
@@ -238,7 +240,7 @@ def _cells(package: Package, workbook: str, named: Mapping[str, _Named]) -> _Nam
     return _NamedCells(
         cells,
         tuple(raw(one, label) for one, label in others if label),
-        about_lost_formats(look, counting),
+        (*about_lost_formats(look, counting), *about_missing_sheets(pointed_at, parts)),
     )
 
 
