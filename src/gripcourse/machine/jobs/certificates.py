@@ -1,7 +1,6 @@
 """The certificates by which a cluster is spoken to: named in Dask's own settings."""
 
 import ssl
-from collections.abc import Mapping
 from pathlib import Path
 
 from gripcourse.errors import Problem, UsageError
@@ -19,7 +18,7 @@ def demand_certificates(address: str) -> None:
     from distributed import Security  # noqa: PLC0415 (only who has a cluster pays)
 
     security = Security()
-    settings: Mapping[str, str | None] = security.get_tls_config_for_role("client")
+    settings: dict[str, str | None] = security.get_tls_config_for_role("client")
     named = {
         "ca-file": settings["ca_file"],
         "client.cert": settings["cert"],
