@@ -97,11 +97,16 @@ def test_a_sheet_that_only_bears_another_name_keeps_its_answers(returned: "Retur
     read = returned.read(returned.saved(book))
     assert {name: read.answers[name].value for name in typed(returned)} == typed(returned)
     assert set(read.moved) == set(typed(returned))
+    assert read.remarks == ()
 
 
-def test_answers_whose_sheet_was_removed_are_blank(returned: "Returned") -> None:
+def test_answers_whose_sheet_was_removed_are_blank_and_that_is_said(returned: "Returned") -> None:
     book, sheet, _ = filled(returned)
     book.remove(sheet)
     read = returned.read(returned.saved(book))
     assert {read.answers[name].reading for name in typed(returned)} == {Reading.BLANK}
     assert read.moved == ()
+    title, asked = sheet.title, set(typed(returned))
+    [said] = map(str, read.remarks)
+    assert f"'{title}'" in said
+    assert f"in all: {len(asked)}" in said

@@ -6,6 +6,7 @@ from dataclasses import replace
 from gripcourse.course.quantity import Kind, Quantity
 from gripcourse.submission.by_label import by_label
 from gripcourse.submission.measure import Understood
+from gripcourse.submission.missing_sheets import about_missing_sheets
 from gripcourse.submission.model import Answer, Reading, Submission
 from gripcourse.submission.raw import RawCell, RawWorkbook
 from gripcourse.submission.understand import cell_text, understand
@@ -26,6 +27,7 @@ def interpret(raw: RawWorkbook, quantities: Iterable[Quantity]) -> Submission:
     asked = tuple(quantities)
     answered = tuple(quantity for quantity in asked if quantity.kind.answered)
     found = by_label(raw, answered)
+    nowhere = [raw.nowhere.get(one.id) for one in answered if one.id not in found.answers]
     return Submission(
         file=raw.file,
         digest=raw.digest,
@@ -36,7 +38,7 @@ def interpret(raw: RawWorkbook, quantities: Iterable[Quantity]) -> Submission:
             one.id: _answer(one, found.answers.get(one.id), moved=one.id in found.moved)
             for one in answered
         },
-        remarks=raw.remarks,
+        remarks=(*raw.remarks, *about_missing_sheets([one for one in nowhere if one])),
         moved=found.moved,
     )
 

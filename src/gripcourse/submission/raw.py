@@ -1,7 +1,7 @@
 """The cells of a returned workbook as they stand in the file, before anything is made of them."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from gripcourse.machine.spreadsheet.cell_value import CellValue
 from gripcourse.submission.model import Identity
@@ -59,6 +59,7 @@ class RawWorkbook:
         answers: answer cells, likewise.
         remarks: about the workbook as a whole.
         beside: cells of the columns of answers that no name points to, in rows with a label.
+        nowhere: titles of sheets that are not there, by the id of an answer that belongs there.
         other_results: formulas that another program computes otherwise; none where nobody asked.
     """
 
@@ -70,4 +71,5 @@ class RawWorkbook:
     answers: Mapping[str, RawCell]
     remarks: tuple[Message, ...]
     beside: tuple[RawCell, ...] = ()
+    nowhere: Mapping[str, str] = field(default_factory=dict)
     other_results: tuple[OtherResult, ...] = ()

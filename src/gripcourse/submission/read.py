@@ -12,7 +12,7 @@ import zlib
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import PurePath
-from typing import Final
+from typing import Final, TypeVar
 from xml.etree.ElementTree import Element
 
 from gripcourse.machine.content import (
@@ -58,6 +58,7 @@ _FAULTS: Final[tuple[tuple[tuple[type[Exception], ...], WhyRefused], ...]] = (
 
 _SUFFIXES: Final = frozenset({".xlsx", ".xlsm"})
 _ANSWER: Final = names.cell_name(names.ANSWER, "")
+_Held = TypeVar("_Held")
 # Columns from a title to its answer.
 _TO_TITLE: Final = SheetColumn.VALUE - SheetColumn.TITLE
 
@@ -76,11 +77,13 @@ class _NamedCells:
     Attributes:
         named: by our names.
         beside: of the columns of answers, in rows with a label, that no name points to.
+        nowhere: by our names the title of a sheet that is not there.
         remarks: about what of their looks is lost.
     """
 
     named: Mapping[str, RawCell]
     beside: tuple[RawCell, ...]
+    nowhere: Mapping[str, str]
     remarks: tuple[Message, ...]
 
 
@@ -144,6 +147,7 @@ def _read(package: Package, file: str, digest: str) -> RawWorkbook | WhyRefused:
         answers=answers,
         remarks=remarks,
         beside=found.beside,
+        nowhere=_of_role(found.nowhere, names.ANSWER),
     )
 
 
@@ -229,6 +233,7 @@ def _cells(package: Package, workbook: str, named: Mapping[str, NamedPlace]) -> 
     return _NamedCells(
         cells,
         tuple(raw(one, label) for one, label in others if label),
+        {name: where.sheet for name, where in named.items() if where.sheet not in parts},
         about_lost_formats(look, counting),
     )
 
@@ -249,11 +254,11 @@ def _located(sheet: Element, places: set[Place]) -> _Located:
     return _Located({place: (at, cells.get(at, EMPTY)) for place, at in shown.items()})
 
 
-def _of_role(cells: Mapping[str, RawCell], role: str) -> dict[str, RawCell]:
-    """Return the cells of one role by the id of their quantity."""
+def _of_role(named: Mapping[str, _Held], role: str) -> dict[str, _Held]:
+    """Return what is held of the names of one role by the id of their quantity."""
     prefix = names.cell_name(role, "")
     return {
-        name.removeprefix(prefix): cell for name, cell in cells.items() if name.startswith(prefix)
+        name.removeprefix(prefix): one for name, one in named.items() if name.startswith(prefix)
     }
 
 

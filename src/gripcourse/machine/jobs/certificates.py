@@ -18,10 +18,11 @@ def demand_certificates(address: str) -> None:
     from distributed import Security  # noqa: PLC0415 (only who has a cluster pays)
 
     security = Security()
+    settings: dict[str, str | None] = security.get_tls_config_for_role("client")
     named = {
-        "ca-file": security.tls_ca_file,
-        "client.cert": security.tls_client_cert,
-        "client.key": security.tls_client_key,  # may stand in the file of the certificate
+        "ca-file": settings["ca_file"],
+        "client.cert": settings["cert"],
+        "client.key": settings["key"],  # may stand in the file of the certificate
     }
     missing = [f"{_SETTINGS}{name}" for name in ("ca-file", "client.cert") if not named[name]]
     if missing:
