@@ -135,6 +135,18 @@ def test_a_worker_that_cannot_start_is_said_by_each_job(tmp_path: Path) -> None:
     assert "not for workers" in done.stderr
 
 
+@pytest.mark.skipif(sys.platform != "linux", reason="workers are forks on Linux only")
+def test_where_what_workers_are_forks_of_is_killed_another_takes_its_place(
+    errands: ModuleType,
+) -> None:
+    for _ in range(2):
+        jobs = run_each(errands.double, range(3), 1, workers=2, seconds=60)
+        assert in_order(jobs) == (1, 3, 5)
+        origin = _forkserver._forkserver_pid  # type: ignore[attr-defined]  # noqa: SLF001
+        os.kill(origin, signal.SIGKILL)
+        os.waitid(os.P_PID, origin, os.WEXITED | os.WNOWAIT)
+
+
 def test_a_place_for_temporary_files_may_have_a_long_path(tmp_path: Path) -> None:
     """Too long for the address at which forks are asked for."""
     place = tmp_path.joinpath(*("a_folder_with_a_long_name",) * 5)

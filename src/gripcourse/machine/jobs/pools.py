@@ -10,7 +10,13 @@ import pickle
 import sys
 import weakref
 from collections.abc import Callable
-from concurrent.futures import Executor, Future, ProcessPoolExecutor, ThreadPoolExecutor
+from concurrent.futures import (
+    BrokenExecutor,
+    Executor,
+    Future,
+    ProcessPoolExecutor,
+    ThreadPoolExecutor,
+)
 from dataclasses import dataclass
 from multiprocessing import get_context
 from multiprocessing.context import BaseContext
@@ -36,6 +42,9 @@ class Executing(Protocol):
 
 OpenExecutor: TypeAlias = Callable[[int, Initializer, tuple[Any, ...]], Executing]
 """Opens an executor: number of workers, what each does first, the arguments of that."""
+
+NOT_STARTED: Final = (BrokenExecutor, OSError, EOFError)
+"""What giving a job to a worker raises where workers have died, or what they are forks of has."""
 
 _MOST_ON_WINDOWS = 61  # handles that it can wait for at a time
 # Bytes of the folder for temporary files: an address has 108, and two names of the library follow.

@@ -8,11 +8,11 @@ import pickle
 import threading
 import uuid
 from collections.abc import Callable
-from concurrent.futures import BrokenExecutor, ThreadPoolExecutor
+from concurrent.futures import ThreadPoolExecutor
 from typing import Any
 
 from gripcourse.machine.jobs.lost import Lost
-from gripcourse.machine.jobs.pools import PROCESSES, Executing, Pool
+from gripcourse.machine.jobs.pools import NOT_STARTED, PROCESSES, Executing, Pool
 from gripcourse.machine.jobs.work import Task, do, install, perform
 from gripcourse.machine.jobs.workers import run_each
 
@@ -54,7 +54,7 @@ class StandingWorkers:
         executor = self._executor(self.pool)
         try:
             return self._keeper.submit(executor.submit, perform, self._name, item).result().result()
-        except (BrokenExecutor, RuntimeError):
+        except (*NOT_STARTED, RuntimeError):
             # A worker died, of this job or of a neighbour's, and all that were opened with it are
             # of no use. Alone it is found out whose job it was.
             self._discard(executor)

@@ -15,7 +15,7 @@ from typing import Any, TypeAlias, TypeVar
 
 from gripcourse.machine.jobs.child import DIED
 from gripcourse.machine.jobs.lost import JobLostError, Lost
-from gripcourse.machine.jobs.pools import PROCESSES, Executing, Pool
+from gripcourse.machine.jobs.pools import NOT_STARTED, PROCESSES, Executing, Pool
 from gripcourse.machine.jobs.work import Task, do, install, known, perform, perform_all
 
 __all__ = ["Lost", "all_done", "in_order", "run_each"]
@@ -182,7 +182,7 @@ def _until_worker_dies(
                     continue
                 try:
                     running[executor.submit(*message.call)] = message
-                except (BrokenExecutor, OSError):  # or what workers are forks of is gone
+                except NOT_STARTED:
                     taken_along += message.numbers
             for future in wait(running, return_when=FIRST_COMPLETED).done:
                 message = running.pop(future)
@@ -245,7 +245,7 @@ def _can_start(crew: _Crew) -> bool:
     executor = crew.open(1)
     try:
         executor.submit(_nothing).result()
-    except (BrokenExecutor, OSError):
+    except NOT_STARTED:
         return False
     finally:
         executor.shutdown(cancel_futures=True)
