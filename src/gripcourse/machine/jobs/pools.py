@@ -21,7 +21,6 @@ from dataclasses import dataclass
 from multiprocessing import get_context
 from multiprocessing.context import BaseContext
 from multiprocessing.shared_memory import SharedMemory
-from tempfile import gettempdir
 from typing import Any, Final, Protocol, TypeAlias
 
 from gripcourse.machine.file_limits import demand_file_of
@@ -47,8 +46,6 @@ NOT_STARTED: Final = (BrokenExecutor, OSError, EOFError)
 """What giving a job to a worker raises where workers have died, or what they are forks of has."""
 
 _MOST_ON_WINDOWS = 61  # handles that it can wait for at a time
-# Bytes of the folder for temporary files: an address has 108, and two names of the library follow.
-_LONGEST_TEMPORARY: Final = 70
 
 
 @dataclass(frozen=True, slots=True)
@@ -88,10 +85,9 @@ def _context() -> BaseContext:
 
     A fork of this process would copy the threads of a progress bar in an unknown state. On Linux
     workers are forks of a fresh interpreter that has no threads, and has imported what this process
-    has by then: half a second less for each worker. It is spoken to by a socket in the folder for
-    temporary files, whose path must fit into the address of one.
+    has by then: half a second less for each worker.
     """
-    if sys.platform != "linux" or len(os.fsencode(gettempdir())) > _LONGEST_TEMPORARY:
+    if sys.platform != "linux":
         return get_context("spawn")
     from multiprocessing.forkserver import ensure_running  # noqa: PLC0415 (exists on Unix only)
 
