@@ -146,7 +146,7 @@ def system_problem(error: OSError) -> Problem:
 def memory_problem() -> Problem:
     """Say that the system gave less memory than the work takes."""
     what = message("There is too little memory for this.")
-    remedy = message("Lift the limit (ulimit -v), end other programs, or name fewer --workers.")
+    remedy = message("Lift the limit (ulimit -v), end other programs, or take fewer workers.")
     return Problem("", "", what, remedy)
 
 

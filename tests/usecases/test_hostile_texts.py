@@ -178,7 +178,7 @@ def test_a_page_that_escapes_nothing_is_noticed(
 ) -> None:
     def unescaped(folder: Path, language: str, *, with_charts: bool) -> Environment:
         made = template_environment(folder, language, with_charts=with_charts)
-        return made.overlay(autoescape=False)
+        return made.overlay(autoescape=False, bytecode_cache=None)
 
     monkeypatch.setattr("gripcourse.documents.pdf.template_environment", unescaped)
     page = render_html(DOCUMENTS[kind](sample, report), TEMPLATES, sample.words, with_charts=False)

@@ -6,8 +6,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING, TypeVar
 
 from gripcourse.documents.kind import SampleDocument
-from gripcourse.documents.pdf import Document, render_html, template_environment, template_problem
+from gripcourse.documents.pdf import Document, render_html, template_environment
 from gripcourse.documents.registry import document_kinds
+from gripcourse.documents.template_faults import template_problem
 from gripcourse.errors import GripcourseError, Problem
 from gripcourse.machine.resources import template_folders
 from gripcourse.text.suggestion import did_you_mean
