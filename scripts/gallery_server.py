@@ -23,6 +23,8 @@ from urllib.request import urlopen
 from PIL import Image
 from selenium import webdriver
 from selenium.webdriver.common.by import By
+from selenium.webdriver.support.expected_conditions import staleness_of
+from selenium.webdriver.support.wait import WebDriverWait
 
 from gripcourse.course.load import load_course
 from gripcourse.issuing.store import read_register
@@ -89,21 +91,26 @@ class Camera:
         """Look at what an instructor sees."""
         link = said("sign-in", "--address", address, "--course", out / "course", "--by", "Dr. Ray")
         self.window.get(link.split()[-1])
-        self.window.find_element(By.TAG_NAME, "button").click()
+        self.press("button")
         for name, page in PAGES_OF_THE_DESK.items():
             self.window.get(f"{address}/desk/{page}")
             self.take(f"server_desk_{name}", DESK)
         self.window.get(f"{address}/desk/")
         self.take("server_desk_phone", TELEPHONE)
         self.window.get(f"{address}/desk/marking")
-        self.window.find_element(By.CSS_SELECTOR, f"a[href*='marking/{UKRAINIAN}/{ITEM}']").click()
+        self.press(f"a[href*='marking/{UKRAINIAN}/{ITEM}']")
         self.take("server_desk_marking", DESK)
 
     def send(self, file: Path, act: str) -> None:
         """Choose a file and press a button of the same form."""
         self.window.find_element(By.ID, "file").send_keys(str(file))
-        button = f"[action$='{act}'] button, [formaction$='{act}']"
-        self.window.find_element(By.CSS_SELECTOR, button).click()
+        self.press(f"[action$='{act}'] button, [formaction$='{act}']")
+
+    def press(self, what: str) -> None:
+        """Press what a selector finds; return when another page has taken the place of this one."""
+        found = self.window.find_element(By.CSS_SELECTOR, what)
+        found.click()
+        WebDriverWait(self.window, SECONDS).until(staleness_of(found))
 
     def take(self, name: str, size: tuple[int, int]) -> None:
         """Write a picture of what the window shows, of few colours."""
