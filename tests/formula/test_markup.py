@@ -109,6 +109,7 @@ def test_whatever_stands_in_a_box_is_escaped() -> None:
         ("(m/g)**2", "(m/g)2"),
         ("abs(m/g)", "|m/g|"),
         ("sin(f)**2", "sin2 μ"),
+        ("hertz_crossed(f)", "Hertz(μ)"),
         ("sin(f*2)", "sin(μ · 2)"),
         ("exp(f)", "exp(μ)"),
         ("max(m, g)", "max(m; g)"),

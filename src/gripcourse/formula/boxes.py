@@ -138,6 +138,15 @@ def word(name: str, elsewhere: str = "", **own: str) -> Form:
     return form
 
 
+def called(name: str) -> Form:
+    """Print a function of one argument by an upright name that nobody knows without brackets."""
+
+    def form(arguments: tuple[Box, ...], _column: Box | None, _language: str) -> Box:
+        return Row((Text("upright", name), Fence("(", arguments[0], ")")))
+
+    return form
+
+
 def root(index: str) -> Form:
     """Print a function as a radical."""
 

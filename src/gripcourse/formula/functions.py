@@ -236,7 +236,7 @@ FUNCTIONS: Final[Mapping[str, Function]] = MappingProxyType(
             # No spreadsheet has elliptic integrals.
             Function(
                 "hertz_crossed", 1, 1, False, _of(crossed_cylinders), rules.plain,
-                boxes.word("Hertz"), None,
+                boxes.called("Hertz"), None,
             ),
         )
     }
