@@ -103,6 +103,12 @@ def test_a_form_that_nobody_knows_is_refused(form: str) -> None:
         gc.read_result({**GRADES.to_dict(), "schema": form})
 
 
+@pytest.mark.parametrize("other", [None, 5, "text", [GRADES.to_dict()]])
+def test_what_is_no_result_at_all_is_refused_alike(other: object) -> None:
+    with pytest.raises(UsageError, match="schema"):
+        gc.read_result(other)
+
+
 def test_everything_that_cannot_be_used_is_told_at_once_with_its_place() -> None:
     plain = through_json(GRADES.to_dict())
     report = plain["reports"][0]

@@ -33,13 +33,13 @@ def schemas() -> dict[str, dict[str, Any]]:
     return {name: json_schema(kind) for name, kind in _BY_SCHEMA.items()}
 
 
-def read_result(plain: Mapping[str, Any]) -> Any:  # noqa: ANN401 (of the kind that it names)
+def read_result(plain: object) -> Any:  # noqa: ANN401 (of the kind that it names)
     """Read a result of any kind from its plain form.
 
     Raises:
         UsageError: its form or its version is not known, or with every value that cannot be used.
     """
-    name = str(plain.get(KEY, ""))
+    name = str(plain.get(KEY, "")) if isinstance(plain, Mapping) else ""
     family = name.rpartition("/")[0]
     known = next((one for one in _BY_SCHEMA if one.rpartition("/")[0] == family), "")
     if not known:
