@@ -33,7 +33,7 @@ from time import perf_counter, sleep
 from xml.sax.saxutils import escape
 
 import psutil
-from cluster import cluster
+from cluster import cluster, spent
 
 from gripcourse.cli.demo.students import correct
 from gripcourse.course.load import load_course
@@ -251,7 +251,7 @@ class Cost:
 
     Attributes:
         seconds: by the clock.
-        busy: of the processor, of the command and all its workers.
+        busy: of the processor, of the command and all its workers, but for the last look's time.
         peak: of the command itself, as it was seen last.
         workers: of the largest of its workers.
     """
@@ -283,19 +283,21 @@ def graded(base: Path, words: Sequence[str]) -> Cost:
     with (base / "said").open("wb") as said:
         process = subprocess.Popen([*call, "--quiet"], cwd=base, stdout=said, stderr=said)  # noqa: S603 (ours)
         # Not what the system says of it at its end: that begins with the peak of who started it.
-        own, of_workers, ended = 0.0, 0.0, 0
+        own, of_workers, busy, ended = 0.0, 0.0, 0.0, 0
         while not ended:
             with suppress(psutil.Error):  # one of them ends just now
                 own = max(own, peak(process.pid))  # nothing of one that has just ended
-                workers = psutil.Process(process.pid).children()
+                running = psutil.Process(process.pid)
+                workers = running.children(recursive=True)
                 of_workers = max([of_workers, *(peak(one.pid) for one in workers)])
+                busy = max(busy, spent(running))
             sleep(SECONDS)
             ended, status, used = os.wait4(process.pid, os.WNOHANG)
     seconds = perf_counter() - start
     process.returncode = os.waitstatus_to_exitcode(status)
     if process.returncode not in {0, 1}:
         raise RuntimeError((base / "said").read_text(encoding="utf-8"))
-    return Cost(seconds, used.ru_utime + used.ru_stime, own, of_workers)
+    return Cost(seconds, max(busy, used.ru_utime + used.ru_stime), own, of_workers)
 
 
 PARTS = {"local": grades_only, "cluster": on_a_cluster, "postgresql": in_postgresql}
