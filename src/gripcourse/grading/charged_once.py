@@ -1,12 +1,10 @@
 """A constant that was shortened too far costs the first answer that shows it, and no other."""
 
 from collections.abc import Sequence
-from dataclasses import replace
 
 from gripcourse.grading.judge_blank import coarse_in_blank
-from gripcourse.grading.model import Against, Outcome
 from gripcourse.grading.shortened import shortened_in
-from gripcourse.grading.submission_case import GradingCase, JudgedAnswer
+from gripcourse.grading.submission_case import GradingCase, JudgedAnswer, cost_already
 from gripcourse.text.words import message
 
 
@@ -51,12 +49,4 @@ def _carried(case: GradingCase, judged: JudgedAnswer, root: str) -> JudgedAnswer
         "Follows from the coarse constant that has cost {title}.",
         title=case.plan.quantities[root].title,
     )
-    judgement = replace(
-        judged.judgement,
-        outcome=Outcome.CARRIED,
-        against=Against.OWN_INPUTS,
-        credit=case.policy.carried_credit,
-        roots=(root,),
-        message=said,
-    )
-    return replace(judged, judgement=judgement)
+    return cost_already(case, judged, root, said)

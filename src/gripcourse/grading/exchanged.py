@@ -6,8 +6,7 @@ from itertools import combinations
 
 from gripcourse.course.quantity import Kind
 from gripcourse.grading.comparison import Comparison
-from gripcourse.grading.model import Against, Outcome
-from gripcourse.grading.submission_case import GradingCase, JudgedAnswer
+from gripcourse.grading.submission_case import GradingCase, JudgedAnswer, cost_already
 from gripcourse.policy.bands import within
 from gripcourse.text.words import message
 
@@ -66,14 +65,4 @@ def _first(one: JudgedAnswer, other: JudgedAnswer) -> JudgedAnswer:
 
 def _second(case: GradingCase, one: JudgedAnswer, other: JudgedAnswer) -> JudgedAnswer:
     said = message("Exchanged with {title}, which has cost already.", title=one.quantity.title)
-    judgement = replace(
-        other.judgement,
-        outcome=Outcome.CARRIED,
-        against=Against.OWN_INPUTS,
-        credit=case.policy.carried_credit,
-        slip=None,
-        tied=(),
-        roots=(one.quantity.id,),
-        message=said,
-    )
-    return replace(other, judgement=judgement)
+    return cost_already(case, other, one.quantity.id, said)

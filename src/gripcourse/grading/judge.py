@@ -16,12 +16,13 @@ from gripcourse.grading.exchanged import exchanged_once
 from gripcourse.grading.extended import extended
 from gripcourse.grading.flags import flags_of
 from gripcourse.grading.intended import as_intended
-from gripcourse.grading.model import Against, Cause, Finding, Outcome, Report, sums_of
+from gripcourse.grading.model import Cause, Finding, Outcome, Report, sums_of
 from gripcourse.grading.same_number import same_number_once
 from gripcourse.grading.significant_digits import figures_remark
 from gripcourse.grading.submission_case import (
     GradingCase,
     JudgedAnswer,
+    cost_already,
     explain,
     judge_answer,
     make_case,
@@ -135,17 +136,7 @@ def _substituted(
             message=spoiled_first(case.plan, one),
         )
         return replace(judged, judgement=judgement)
-    judgement = replace(
-        judged.judgement,
-        outcome=Outcome.CARRIED,
-        against=Against.OWN_INPUTS,
-        credit=case.policy.carried_credit,
-        slip=None,
-        tied=(),
-        roots=(first,),
-        message=spoiled_later(case.plan, one),
-    )
-    return replace(judged, judgement=judgement)
+    return cost_already(case, judged, first, spoiled_later(case.plan, one))
 
 
 def _findings(case: GradingCase, settled: Sequence[JudgedAnswer]) -> tuple[Finding, ...]:

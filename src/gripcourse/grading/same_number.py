@@ -5,13 +5,11 @@ The force at each of four points that stand alike is one calculation, written do
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
 from typing import Final
 
 from gripcourse.course.quantity import Kind
 from gripcourse.grading.comparison import Comparison
-from gripcourse.grading.model import Against, Outcome
-from gripcourse.grading.submission_case import GradingCase, JudgedAnswer
+from gripcourse.grading.submission_case import GradingCase, JudgedAnswer, cost_already
 from gripcourse.text.words import message
 
 _SAME: Final = 1e-9
@@ -77,14 +75,4 @@ def _repeated(case: GradingCase, judged: JudgedAnswer, first: str) -> JudgedAnsw
         "The same wrong number as in {title}; that has cost already.",
         title=case.plan.quantities[first].title,
     )
-    judgement = replace(
-        judged.judgement,
-        outcome=Outcome.CARRIED,
-        against=Against.OWN_INPUTS,
-        credit=case.policy.carried_credit,
-        slip=None,
-        tied=(),
-        roots=(first,),
-        message=said,
-    )
-    return replace(judged, judgement=judgement)
+    return cost_already(case, judged, first, said)

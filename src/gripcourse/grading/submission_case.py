@@ -138,6 +138,28 @@ def explain(
     ]
 
 
+def cost_already(case: GradingCase, judged: JudgedAnswer, root: str, said: Message) -> JudgedAnswer:
+    """Return an answer as one that costs nothing more: what is wrong with it has cost elsewhere.
+
+    Args:
+        case: the submission.
+        judged: the answer.
+        root: id of the answer that it has cost.
+        said: to the student.
+    """
+    judgement = replace(
+        judged.judgement,
+        outcome=Outcome.CARRIED,
+        against=Against.OWN_INPUTS,
+        credit=case.policy.carried_credit,
+        slip=None,
+        tied=(),
+        roots=(root,),
+        message=said,
+    )
+    return replace(judged, judgement=judgement)
+
+
 def is_unexplained(case: GradingCase, judged: JudgedAnswer) -> bool:
     """Tell whether an answer is wrong and nothing says why yet."""
     traits = judged.judgement.outcome.traits

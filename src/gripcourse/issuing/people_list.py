@@ -66,14 +66,16 @@ def lists_in(source: Readable) -> tuple[tuple[PeopleList, ...], tuple[Message, .
     """
     vocabulary = roster_vocabulary()
     book = read_sheets(source, vocabulary.is_heading)
-    found = [_understood(one, vocabulary) for one in book.sheets]
-    lists = [one for one in found if one.has_names] or found[:1]
-    others = [*book.others, *(one.sheet.title for one in found if one not in lists)]
-    if len(lists) > 1:
+    # As if each were the only one: the title of a sheet says nothing where there is no other list.
+    alone = [_understood(replace(one, title=""), vocabulary) for one in book.sheets]
+    places = [place for place, one in enumerate(alone) if one.has_names] or [0]
+    whole, only = book.sheets[places[0]], alone[places[0]]
+    titles = (one.title for place, one in enumerate(book.sheets) if place not in places)
+    others = [*book.others, *titles]
+    if len(places) > 1:
+        lists = [_understood(book.sheets[place], vocabulary) for place in places]
         filled = tuple(one for one in lists if one.sheet.rows)
         return filled or tuple(lists[:1]), (_said_of_several(lists, others),)
-    whole = book.sheets[found.index(lists[0])]
-    only = _understood(replace(whole, title=""), vocabulary)
     if not others:
         return (only,), ()
     said = message(

@@ -80,7 +80,8 @@ class KeySets:
             kept, now = place.kept, self._clock()
             known = None if kept is None or kept.keys is None else kept.keys.get(key_id)
             doubted = known is None or known is wrong
-            if kept is None or now - (kept.tried if doubted else kept.came) > _limit(doubted):
+            limit = _APART_SECONDS if doubted else KEPT_SECONDS
+            if kept is None or now - (kept.tried if doubted else kept.came) > limit:
                 kept = place.kept = self._renewed(url, kept, now)
         if kept.keys is None:
             raise LaunchRefusedError(LaunchRefusal.KEYS)
@@ -107,11 +108,6 @@ class KeySets:
             case {"keys": list(found)}:
                 return dict(filter(None, map(_signing_key, found[:_MOST_KEYS])))
         return None
-
-
-def _limit(doubted: bool) -> float:  # noqa: FBT001 (a word that is said of a key)
-    """Return how old what was asked may be."""
-    return _APART_SECONDS if doubted else KEPT_SECONDS
 
 
 def _signing_key(found: object) -> tuple[str, RSAKey] | None:
