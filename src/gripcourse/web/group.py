@@ -85,14 +85,29 @@ class Wish:
 
 def rows_of(context: DeskContext) -> tuple[GroupMember, ...]:
     """Return everybody, by group and name."""
-    hand_ins = context.desk.hand_ins()
+    rows = _members(context, context.register(), None)
+    return tuple(sorted(rows, key=lambda row: (row.issued.student.group, row.issued.student.name)))
+
+
+def row_of(context: DeskContext, student: str) -> GroupMember | None:
+    """Return one student of the group; None where the register has none of this id."""
+    issued = context.register().get(student)
+    return None if issued is None else _members(context, {student: issued}, student)[0]
+
+
+def _members(
+    context: DeskContext, group: Mapping[str, Issued], only: str | None
+) -> list[GroupMember]:
+    """Return students with what is kept of them; nothing of others is read where one is named."""
+    hand_ins = context.desk.hand_ins(only)
     last = latest(hand_ins)
     files = Counter(one.student for one in hand_ins)
-    checks = Counter(one.student for one in context.desk.checks())
-    requests = Counter(one.student for one in context.desk.requests())
-    book = Gradebook(context.desk.engine)
-    attempts, marked = latest_judged(book.standing()), latest_marks_of_all(book.entries())
-    rows = (
+    checks = Counter(one.student for one in context.desk.checks(only))
+    requests = Counter(one.student for one in context.desk.requests(only))
+    book, names = Gradebook(context.desk.engine), None if only is None else {only}
+    attempts = latest_judged(book.standing(names))
+    marked = latest_marks_of_all(book.entries(names))
+    return [
         GroupMember(
             issued=issued,
             hand_in=last.get(id_),
@@ -103,11 +118,5 @@ def rows_of(context: DeskContext) -> tuple[GroupMember, ...]:
             attempt=attempts.get(id_),
             marked=marked.get(id_, {}),
         )
-        for id_, issued in context.register().items()
-    )
-    return tuple(sorted(rows, key=lambda row: (row.issued.student.group, row.issued.student.name)))
-
-
-def row_of(context: DeskContext, student: str) -> GroupMember | None:
-    """Return one student of the group; None where the register has none of this id."""
-    return next((row for row in rows_of(context) if row.issued.student.id == student), None)
+        for id_, issued in group.items()
+    ]
