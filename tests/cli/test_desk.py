@@ -108,3 +108,10 @@ def test_a_link_to_sign_in_is_printed(run: Run, context: DeskContext) -> None:
     now = datetime.now(UTC)
     assert context.desk.begin_session(token, "session", now.replace(year=2099), now)
     assert context.desk.session_name("session", now) == "Ann"
+
+
+def test_no_sign_in_is_offered_where_nobody_knows_the_address(run: Run) -> None:
+    said = run("sign-in", "--by", "Ann")
+    assert said.startswith("2")
+    assert "--address" in said
+    assert "/desk/" not in said

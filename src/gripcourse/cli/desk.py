@@ -12,10 +12,12 @@ from gripcourse.cli.help import SpokenCommand
 from gripcourse.cli.loudness import confirm
 from gripcourse.cli.options import (
     PROCESSORS,
+    ByOption,
     CourseOption,
     LanguageOption,
     OutFileOption,
     OutOption,
+    WhyOption,
     WorkersOption,
     course_folder,
     words_for,
@@ -31,10 +33,6 @@ AddressOption = Annotated[
     str,
     typer.Option("--address", help="Of the server, as browsers reach it; default: the course's."),
 ]
-ByOption = Annotated[
-    str | None, typer.Option("--by", help="Who does it; default: the user of this machine.")
-]
-WhyOption = Annotated[str, typer.Option("--why", help="Why, in a few words; it is kept.")]
 
 
 @app.command(cls=SpokenCommand)
@@ -88,11 +86,12 @@ def sign_in(
 ) -> None:
     """Print a link with which an instructor signs in at the desk, once."""
     from gripcourse.usecases.serving.desk import open_context
+    from gripcourse.usecases.serving.links import address_of
     from gripcourse.usecases.serving.sign_in import offer_sign_in
 
     context = open_context(course_folder(course))
+    base = address_of(context.course, address)  # before a token is made that nobody would see
     token = offer_sign_in(context, by or getpass.getuser(), datetime.now(UTC))
-    base = (address or context.course.address).rstrip("/")
     typer.echo(f"{base}/desk/sign-in/{token}")
 
 

@@ -17,6 +17,7 @@ from gripcourse.cli.options import (
     NEEDS_PERSON,
     PROCESSORS,
     AfreshOption,
+    ByOption,
     ClusterOption,
     CourseOption,
     DateOption,
@@ -26,6 +27,7 @@ from gripcourse.cli.options import (
     OutOption,
     RecalculateOption,
     WhoseOption,
+    WhyOption,
     WorkersOption,
     course_folder,
     day_of,
@@ -33,7 +35,6 @@ from gripcourse.cli.options import (
     say_limits,
     words_for,
 )
-from gripcourse.cli.regrade import ByOption
 from gripcourse.text.words import Words, message
 from gripcourse.usecases.marks.batch_wish import BatchWish
 
@@ -80,7 +81,7 @@ def grade(  # noqa: PLR0913 (one parameter per option)
         typer.Option("--grades-only", help="Print no reports: grades and findings alone."),
     ] = False,
     by: ByOption = None,
-    why: Annotated[str, typer.Option("--why", help="Why, in a few words; it is kept.")] = "",
+    why: WhyOption = "",
     on: DateOption = None,
     workers: WorkersOption = PROCESSORS,
     cluster: ClusterOption = None,

@@ -10,12 +10,13 @@ import typer
 
 from gripcourse.access.lti.user_rule import UserRule
 from gripcourse.cli import text as cli_text
-from gripcourse.cli.desk import AddressOption, ByOption
+from gripcourse.cli.desk import AddressOption
 from gripcourse.cli.help import SpokenCommand, command_group
 from gripcourse.cli.loudness import confirm
 from gripcourse.cli.options import (
     DONE,
     NEEDS_PERSON,
+    ByOption,
     CourseOption,
     LanguageOption,
     OutOption,
@@ -58,18 +59,13 @@ def card(
 ) -> None:
     """Print what the administrator of a platform types in for this course."""
     from gripcourse.course.load import load_course
+    from gripcourse.usecases.serving.links import address_of
 
     with _needs_library():
         from gripcourse.access.lti.usual import canvas_configuration, tool_addresses
 
     words, loaded = words_for(language), load_course(course_folder(course))
-    base = address or loaded.address
-    if not base:
-        raise cli_text.misuse(
-            message("Nobody knows at which address the server is found."),
-            message("Name it with --address, or write `address` into the course."),
-        )
-    made = tool_addresses(base)
+    made = tool_addresses(address_of(loaded, address))
     if canvas:
         title = loaded.title.of(words.language)
         typer.echo(cli_text.json_text(canvas_configuration(title, made)))
@@ -172,7 +168,7 @@ def unknown(*, course: CourseOption = None, language: LanguageOption = None) -> 
     """List who came by a platform and could not be told to be a student of the roster."""
     with _needs_library():
         from gripcourse.usecases.serving.desk import open_context
-        from gripcourse.usecases.serving.lti import platform_names, store_of
+        from gripcourse.usecases.serving.lti import platform_names, store_of, why_not_told
 
     words = words_for(language)
     context = open_context(course_folder(course))
@@ -187,19 +183,12 @@ def unknown(*, course: CourseOption = None, language: LanguageOption = None) -> 
             name=one.name or "–",
             email=one.email or "–",
             number=one.sourcedid or "–",
-            why=_WHY[one.reason],
+            why=why_not_told(one),
         )
         typer.echo(words.say(said))
     if not strangers:
         confirm(words.say(message("Everybody who came is known.")))
     raise typer.Exit(NEEDS_PERSON if strangers else DONE)
-
-
-_WHY = {
-    "unknown": message("nobody on the list"),
-    "ambiguous": message("several on the list"),
-    "taken": message("somebody else is that student"),
-}
 
 
 @app.command("bind", cls=SpokenCommand)

@@ -76,6 +76,10 @@ ClusterOption = Annotated[
         help="Dask scheduler whose workers grade instead: tcp://HOST:PORT or tls://HOST:PORT.",
     ),
 ]
+ByOption = Annotated[
+    str | None, typer.Option("--by", help="Who does it; default: the user of this machine.")
+]
+WhyOption = Annotated[str, typer.Option("--why", help="Why, in a few words; it is kept.")]
 PROCESSORS = os.cpu_count() or 1
 AfreshOption = Annotated[
     bool,

@@ -17,11 +17,13 @@ from gripcourse.cli.options import (
     DONE,
     NEEDS_PERSON,
     PROCESSORS,
+    ByOption,
     CourseOption,
     EitherVersionOption,
     GradebookOption,
     LanguageOption,
     WhoseOption,
+    WhyOption,
     WorkersOption,
     course_folder,
     gradebook_place,
@@ -34,11 +36,6 @@ from gripcourse.text.words import message
 # ruff: noqa: PLC0415
 
 app = typer.Typer()
-
-WhyOption = Annotated[str, typer.Option("--why", help="The reason, kept for good.")]
-ByOption = Annotated[
-    str | None, typer.Option("--by", help="Who does it; default: the user of this machine.")
-]
 
 
 @app.command(cls=SpokenCommand)

@@ -13,12 +13,14 @@ from gripcourse.cli.options import (
     DONE,
     NEEDS_PERSON,
     PROCESSORS,
+    ByOption,
     CourseOption,
     DateOption,
     LanguageOption,
     LinkDaysOption,
     OutOption,
     TableOption,
+    WhyOption,
     WorkersOption,
     course_folder,
     day_of,
@@ -26,7 +28,6 @@ from gripcourse.cli.options import (
     say_limits,
     words_for,
 )
-from gripcourse.cli.regrade import ByOption, WhyOption
 from gripcourse.text.words import message
 
 # Every command imports what it needs itself: numpy, pandas and the database cost half a second.

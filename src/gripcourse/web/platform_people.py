@@ -1,25 +1,21 @@
 """Who came from a learning platform and waits at the desk to be told which student that is."""
 
 from http import HTTPStatus
-from typing import Final
 
 from starlette.responses import RedirectResponse, Response
 from starlette.routing import Route
 
-from gripcourse.access.lti.model import Stranger
 from gripcourse.access.lti.platforms import load_platforms
-from gripcourse.text.words import Message, message
-from gripcourse.usecases.serving.lti import bind, chosen_platform, platform_names, store_of
+from gripcourse.usecases.serving.lti import (
+    bind,
+    chosen_platform,
+    platform_names,
+    store_of,
+    why_not_told,
+)
 from gripcourse.web.refusals import NOT_FOUND, unless_in_conflict
 from gripcourse.web.seat import Seat, desk_route
 from gripcourse.web.site import Site
-
-_WHY: Final = {
-    "unknown": message("nobody on the list"),
-    "ambiguous": message("several on the list"),
-    "taken": message("somebody else is that student"),
-}
-_OTHER: Final = message("cannot be told")
 
 
 def people_routes(site: Site) -> list[Route]:
@@ -35,7 +31,11 @@ def people(seat: Seat) -> Response:
     students = [issued.student for id_, issued in context.register().items() if id_ not in taken]
     values: dict[str, object] = {
         "strangers": [
-            (one, names.get((one.issuer, one.client), one.issuer), seat.words.say(_why(one)))
+            (
+                one,
+                names.get((one.issuer, one.client), one.issuer),
+                seat.words.say(why_not_told(one)),
+            )
             for one in store.strangers()
         ],
         "students": sorted(students, key=lambda one: (one.group, one.name)),
@@ -60,7 +60,3 @@ def known(seat: Seat) -> Response:
     if refused is not None:
         return seat.refuse(refused)
     return RedirectResponse(f"{seat.home}people", HTTPStatus.SEE_OTHER)
-
-
-def _why(stranger: Stranger) -> Message:
-    return _WHY.get(stranger.reason, _OTHER)

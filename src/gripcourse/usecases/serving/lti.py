@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from datetime import datetime
 from enum import StrEnum
 from pathlib import Path
+from typing import Final
 
 from gripcourse.access.lti.launch import Launch, Person
 from gripcourse.access.lti.model import Bond, PlatformPlace, Stranger, UserKey
@@ -13,7 +14,7 @@ from gripcourse.access.lti.store import LtiStore
 from gripcourse.access.lti.tool_key import make_tool_key, tool_key_path
 from gripcourse.access.lti.user_rule import UserRule
 from gripcourse.errors import Problem, UsageError
-from gripcourse.text.words import message
+from gripcourse.text.words import Message, message
 from gripcourse.usecases.serving.desk import DeskContext
 from gripcourse.variants.model import Issued
 
@@ -24,6 +25,14 @@ class NotTold(StrEnum):
     UNKNOWN = "unknown"  # no rule finds a student
     AMBIGUOUS = "ambiguous"  # rules find several
     TAKEN = "taken"  # another user of the platform is that student
+
+
+_WHY: Final[Mapping[str, Message]] = {
+    NotTold.UNKNOWN: message("nobody on the list"),
+    NotTold.AMBIGUOUS: message("several on the list"),
+    NotTold.TAKEN: message("somebody else is that student"),
+}
+_OTHER: Final = message("cannot be told")
 
 
 @dataclass(frozen=True, slots=True)
@@ -55,6 +64,11 @@ def store_of(context: DeskContext) -> LtiStore:
 def user_key(platform: Platform, user: str) -> UserKey:
     """Return the key of a platform's person."""
     return UserKey(platform.issuer, platform.client_id, user)
+
+
+def why_not_told(stranger: Stranger) -> Message:
+    """Say in a few words why somebody of a platform waits; what a newer program kept, too."""
+    return _WHY.get(stranger.reason, _OTHER)
 
 
 def student_of(context: DeskContext, launch: Launch, now: datetime) -> Issued | NotTold:
