@@ -185,7 +185,7 @@ class Course:
                 constants, or of computed ones to assume instead. What is not named is the worked
                 example's.
             options: what is chosen.
-            convention: `corrected` or `guide`; None for the course's.
+            convention: `corrected` or `as_printed`; None for the course's.
 
         Raises:
             UsageError: an unknown name, or a value that cannot be used.
