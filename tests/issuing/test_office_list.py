@@ -305,6 +305,53 @@ def test_a_column_of_groups_goes_before_what_stands_above() -> None:
     assert [one.group for one in roster.students] == ["РТК-42", ""]
 
 
+class TestAGroupBesideTheFirstOfEach:
+    """What was a merged cell is one written cell and blank ones below it in a file of text."""
+
+    def test_it_is_that_of_the_rows_below(self) -> None:
+        people = [f"{row};Студент {chr(0x410 + row)};" for row in range(7)]
+        people[0] += "РТК-41"
+        people[4] += "РТК-42"
+        roster = listed("Список;;", "№;ФИО;Группа", *people, "Всего: 7;;")
+        assert [one.group for one in roster.students] == ["РТК-41"] * 4 + ["РТК-42"] * 3
+        assert "rows below: РТК-41 (3–6), РТК-42 (7–9)." in said(roster)
+
+    def test_a_group_that_goes_on_overleaf_is_one(self) -> None:
+        roster = listed("ФИО;Группа", "А;1", "Б;", "В;", "Г;1", "Д;", "Е;", "Ж;2", "З;", "И;")
+        assert [one.group for one in roster.students] == ["1"] * 6 + ["2"] * 3
+        assert "1 (2–7), 2 (8–10)" in said(roster)
+
+    def test_each_sheet_has_its_own(self, tmp_path: Path) -> None:
+        book = openpyxl.Workbook()
+        for title, group in (("A", "41"), ("B", "42")):
+            sheet = book.create_sheet(title)
+            for row in (("ФИО", "Группа"), (f"{title} А", group), (f"{title} Б",), (f"{title} В",)):
+                sheet.append(row)
+        del book["Sheet"]
+        book.save(tmp_path / "list.xlsx")
+        roster = read_roster(tmp_path / "list.xlsx")
+        assert [one.group for one in roster.students] == ["41"] * 3 + ["42"] * 3
+        assert "41 (2 [A]–4 [A])" in said(roster)
+
+    @pytest.mark.parametrize(
+        "groups",
+        [
+            ("1", "1", "1", "", "1", "1", "", "", ""),  # one of many is in none
+            ("1", "", "2", "", "1", "", "", "", ""),  # in the order of names
+            ("", "", "1", "", "", "", "", "", ""),  # nobody knows whose the first are
+            ("1", "", "", "2", ""),  # two people, or one and one without a group
+        ],
+    )
+    def test_where_it_may_be_meant_nobody_gets_a_group_and_it_is_told(
+        self, groups: Sequence[str]
+    ) -> None:
+        rows = [f"Студент {chr(0x410 + at)};{group}" for at, group in enumerate(groups)]
+        roster = listed("ФИО;Группа", *rows)
+        assert tuple(one.group for one in roster.students) == tuple(groups)
+        blank = ", ".join(str(at + 2) for at, group in enumerate(groups) if not group)
+        assert f"No group is written in the rows: {blank}." in said(roster)
+
+
 @pytest.mark.parametrize(
     "heading",
     ["Фамилия И. О.", "Ф. И.О. студента", "Прізвище ім\u2019я, по батькові", "ПІБ здобувача:"],
