@@ -49,6 +49,25 @@ def test_the_row_below_the_last_name_is_nobody(last: str) -> None:
     assert "passed over: 4 (" in said(roster)
 
 
+def test_the_rows_below_the_headings_of_a_platforms_gradebook_are_nobody() -> None:
+    roster = listed(
+        "Last Name,First Name,Email Address,Homework 1",
+        "Points,,,100",
+        "Class Average,,,90",
+        "Page,Larry,page@x.example,90",
+    )
+    assert names(roster) == ["Page Larry"]
+    assert "2 (Points), 3 (Class Average)" in said(roster)
+
+
+@pytest.mark.parametrize(
+    ("written", "language"), [("рус", "ru"), ("Рус.", "ru"), ("англ.", "en"), ("укр", "uk")]
+)
+def test_a_language_may_be_shortened(written: str, language: str) -> None:
+    (student,) = listed("ФИО;Язык", f"Иванов Иван;{written}").students
+    assert student.language == language
+
+
 @pytest.mark.parametrize(
     "line",
     [
@@ -59,6 +78,9 @@ def test_the_row_below_the_last_name_is_nobody(last: str) -> None:
         "Подпись преподавателя;",
         "Дата: 01.09.2026;",
         "Викладач ______;",
+        "Страница 2;",
+        "стор. 2;",
+        "* академический отпуск;",
     ],
 )
 def test_a_line_of_a_form_below_the_names_is_nobody(line: str) -> None:
