@@ -15,9 +15,14 @@ from gripcourse.batch.kept_reports import KeptReports
 from gripcourse.batch.one_file import GradingContext, judge_read
 from gripcourse.batch.run import Graded, grade_files
 from gripcourse.course.model import Course
+from gripcourse.gradebook.journal import Signed
+from gripcourse.gradebook.model import Attempt, Mark
+from gripcourse.gradebook.store import Gradebook, open_gradebook
+from gripcourse.gradebook.works import latest_judged
 from gripcourse.grading.model import FlagCode, Report
 from gripcourse.machine.content import NamedBytes, Readable, content_of, shown_name
 from gripcourse.policy.model import Policy
+from gripcourse.policy.time_rules import AttemptRule, Counts
 from gripcourse.simulation.cohort import make_classroom
 from gripcourse.simulation.in_memory import judge_one, workbook_of
 from gripcourse.simulation.mix import load_mix
@@ -28,6 +33,7 @@ from gripcourse.usecases.grading.batch_tables import (
     write_tables,
 )
 from gripcourse.usecases.marks.gradebook import keep
+from gripcourse.usecases.marks.regrade import publish
 
 STUDENTS: Final = 14
 NOW: Final = datetime(2026, 12, 9, 9, tzinfo=UTC)
@@ -105,3 +111,55 @@ def test_a_batch_that_came_in_steps_ends_as_one_that_came_at_once(
         likened = likened or bool(flags & LIKE_ANOTHER)
     assert sum(one.taken_over for one in after_all)
     assert likened
+
+
+RULES: Final = (None, *(AttemptRule(counts, 0) for counts in Counts))
+
+
+@pytest.mark.parametrize("rule", RULES, ids=str)
+def test_results_that_are_not_read_again_change_nothing(
+    room: Room, tmp_path: Path, rule: AttemptRule | None, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Of two gradebooks the results of one are always read; some are marked, some were told."""
+    context = replace(room.context, policy=replace(room.context.policy, attempts=rule))
+    ruled = replace(room, context=context)
+    books = [tmp_path / name for name in ("unread.sqlite", "read.sqlite")]
+    handed = list(steps(room, random.Random(5)))  # noqa: S311
+    for number, files in enumerate([*handed, handed[-1]]):
+        graded = ruled.grade(files, None)
+        made = []
+        for place in books:
+            with monkeypatch.context() as patch:
+                if place == books[1]:
+                    patch.setattr(Gradebook, "unread_attempts", Gradebook.attempts)
+                made.append(tables(graded, ruled, tmp_path / f"{place.stem} {number}", place))
+            mark_and_tell(str(place))
+        assert made[0] == made[1]
+    kept = [open_gradebook(str(place)).attempts() for place in books]
+    assert kept[0] == kept[1]
+    assert b"mark_outdated" in made[0][0]
+
+
+def mark_and_tell(place: str) -> None:
+    """Mark an item of one student, and tell another the results."""
+    book = open_gradebook(place)
+    marked, told = sorted({one.student for one in book.attempts()})[:2]
+    last = latest_judged(book.standing({marked}))[marked]
+    draft = Mark(marked, next(iter(last.by_quantity)), 0, last.number, 0.5, {}, "Петров", NOW, "so")
+    book.add_marks([draft])
+    publish(place, [told], Signed("Петров", NOW))
+
+
+def test_a_batch_that_is_kept_already_reads_no_results(
+    room: Room, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    graded = room.grade(next(steps(room, random.Random(1))), None)  # noqa: S311
+    place = str(tmp_path / "gradebook.sqlite")
+    first = keep(graded, room.context, place, NOW)
+
+    def read(*_: object) -> tuple[Attempt, ...]:
+        raise AssertionError
+
+    monkeypatch.setattr("gripcourse.gradebook.store.read_attempts", read)
+    monkeypatch.setattr("gripcourse.gradebook.store.read_results", read)
+    assert keep(graded, room.context, place, NOW) == first

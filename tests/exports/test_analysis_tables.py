@@ -10,7 +10,8 @@ from gripcourse.exports.analysis_tables import analysis_tables, history_tables
 from gripcourse.exports.make_report_result import grades_result
 from gripcourse.exports.results_tables import csv_tables
 from gripcourse.gradebook.journal import Regrade, Signed
-from gripcourse.gradebook.model import Attempt, Fingerprints, Result
+from gripcourse.gradebook.model import Attempt, Fingerprints
+from gripcourse.gradebook.results import Result
 from gripcourse.grading.model import Flag, FlagCode, Outcome, Report, Timing
 from gripcourse.slips.model import SlipId
 from gripcourse.text.words import Words, message

@@ -3,7 +3,8 @@
 import sys
 from datetime import UTC, datetime
 
-from gripcourse.gradebook.model import Attempt, Fingerprints, Mark, Result
+from gripcourse.gradebook.model import Attempt, Fingerprints, Mark
+from gripcourse.gradebook.results import Result
 from gripcourse.gradebook.store import open_gradebook
 from gripcourse.grading.model import Outcome
 

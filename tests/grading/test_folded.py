@@ -11,7 +11,7 @@ from gripcourse.course.model import Course
 from gripcourse.exports.grades import FOUND
 from gripcourse.exports.make_report_result import report_result
 from gripcourse.exports.report_json import report_json, said_in
-from gripcourse.gradebook.model import RESULTS
+from gripcourse.gradebook.results import RESULTS
 from gripcourse.grading.folded import (
     Derivation,
     Folded,

@@ -59,6 +59,37 @@ def test_a_fixed_variant_whose_zeros_were_cut_off_is_found() -> None:
     assert find_variant([*table(5), Variant("3", "press", {}, {})], "03") is None
 
 
+class TestATableWhoseNoughtsWereDropped:
+    """A spreadsheet program that saves the table makes 1 of 001."""
+
+    SAVED = tuple(replace(one, id=one.id.lstrip("0")) for one in table(5))
+
+    def test_nobody_gets_anothers_numbers_under_a_new_name(self) -> None:
+        register = issued([student("a"), student("b")], table(5))
+        later = extend(register, [student("a"), student("b"), student("c")], self.SAVED, TERMS)
+        assert allotted(later) == {"a": "001", "b": "002", "c": "3"}
+        (said,) = map(str, later.notes)
+        assert said.endswith("they are taken for these: 1 → 001, 2 → 002.")
+
+    def test_a_corrected_row_is_that_of_the_variant_that_was_issued(self) -> None:
+        register = issued([student("a")], table(5))
+        corrected = [replace(self.SAVED[0], given={"mass": 7.0}), *self.SAVED[1:]]
+        later = extend(register, [student("a")], corrected, TERMS)
+        assert later.outdated == ("a",)
+
+    def test_the_table_as_it_was_before_is_that_of_what_was_issued_since(self) -> None:
+        register = issued([student("a")], self.SAVED)
+        later = extend(register, [student("a"), student("b")], table(5), TERMS)
+        assert allotted(later) == {"a": "1", "b": "002"}
+
+    def test_names_that_were_issued_apart_stay_apart(self) -> None:
+        both = (table(1)[0], replace(self.SAVED[0], given={"mass": 9.0}))
+        register = issued([student("a"), student("b")], both)
+        later = extend(register, [student("a"), student("b")], both, TERMS)
+        assert allotted(later) == {"a": "001", "b": "1"}
+        assert later.notes == ()
+
+
 def test_every_entry_is_dated_and_signed() -> None:
     register = issued([student("a"), student("b")], table(2))
     assert {entry.issued_on for entry in register.entries} == {DAY}

@@ -49,6 +49,25 @@ def test_the_row_below_the_last_name_is_nobody(last: str) -> None:
     assert "passed over: 4 (" in said(roster)
 
 
+def test_the_rows_below_the_headings_of_a_platforms_gradebook_are_nobody() -> None:
+    roster = listed(
+        "Last Name,First Name,Email Address,Homework 1",
+        "Points,,,100",
+        "Class Average,,,90",
+        "Page,Larry,page@x.example,90",
+    )
+    assert names(roster) == ["Page Larry"]
+    assert "2 (Points), 3 (Class Average)" in said(roster)
+
+
+@pytest.mark.parametrize(
+    ("written", "language"), [("рус", "ru"), ("Рус.", "ru"), ("англ.", "en"), ("укр", "uk")]
+)
+def test_a_language_may_be_shortened(written: str, language: str) -> None:
+    (student,) = listed("ФИО;Язык", f"Иванов Иван;{written}").students
+    assert student.language == language
+
+
 @pytest.mark.parametrize(
     "line",
     [
@@ -59,6 +78,9 @@ def test_the_row_below_the_last_name_is_nobody(last: str) -> None:
         "Подпись преподавателя;",
         "Дата: 01.09.2026;",
         "Викладач ______;",
+        "Страница 2;",
+        "стор. 2;",
+        "* академический отпуск;",
     ],
 )
 def test_a_line_of_a_form_below_the_names_is_nobody(line: str) -> None:
@@ -303,6 +325,53 @@ def test_the_title_of_a_list_names_the_one_group_of_all(title: str, group: str) 
 def test_a_column_of_groups_goes_before_what_stands_above() -> None:
     roster = listed("Список группы РТК-41;;", "ФИО;Группа", "Иванов Иван;РТК-42", "Петров Пётр;")
     assert [one.group for one in roster.students] == ["РТК-42", ""]
+
+
+class TestAGroupBesideTheFirstOfEach:
+    """What was a merged cell is one written cell and blank ones below it in a file of text."""
+
+    def test_it_is_that_of_the_rows_below(self) -> None:
+        people = [f"{row};Студент {chr(0x410 + row)};" for row in range(7)]
+        people[0] += "РТК-41"
+        people[4] += "РТК-42"
+        roster = listed("Список;;", "№;ФИО;Группа", *people, "Всего: 7;;")
+        assert [one.group for one in roster.students] == ["РТК-41"] * 4 + ["РТК-42"] * 3
+        assert "rows below: РТК-41 (3–6), РТК-42 (7–9)." in said(roster)
+
+    def test_a_group_that_goes_on_overleaf_is_one(self) -> None:
+        roster = listed("ФИО;Группа", "А;1", "Б;", "В;", "Г;1", "Д;", "Е;", "Ж;2", "З;", "И;")
+        assert [one.group for one in roster.students] == ["1"] * 6 + ["2"] * 3
+        assert "1 (2–7), 2 (8–10)" in said(roster)
+
+    def test_each_sheet_has_its_own(self, tmp_path: Path) -> None:
+        book = openpyxl.Workbook()
+        for title, group in (("A", "41"), ("B", "42")):
+            sheet = book.create_sheet(title)
+            for row in (("ФИО", "Группа"), (f"{title} А", group), (f"{title} Б",), (f"{title} В",)):
+                sheet.append(row)
+        del book["Sheet"]
+        book.save(tmp_path / "list.xlsx")
+        roster = read_roster(tmp_path / "list.xlsx")
+        assert [one.group for one in roster.students] == ["41"] * 3 + ["42"] * 3
+        assert "41 (2 [A]–4 [A])" in said(roster)
+
+    @pytest.mark.parametrize(
+        "groups",
+        [
+            ("1", "1", "1", "", "1", "1", "", "", ""),  # one of many is in none
+            ("1", "", "2", "", "1", "", "", "", ""),  # in the order of names
+            ("", "", "1", "", "", "", "", "", ""),  # nobody knows whose the first are
+            ("1", "", "", "2", ""),  # two people, or one and one without a group
+        ],
+    )
+    def test_where_it_may_be_meant_nobody_gets_a_group_and_it_is_told(
+        self, groups: Sequence[str]
+    ) -> None:
+        rows = [f"Студент {chr(0x410 + at)};{group}" for at, group in enumerate(groups)]
+        roster = listed("ФИО;Группа", *rows)
+        assert tuple(one.group for one in roster.students) == tuple(groups)
+        blank = ", ".join(str(at + 2) for at, group in enumerate(groups) if not group)
+        assert f"No group is written in the rows: {blank}." in said(roster)
 
 
 @pytest.mark.parametrize(

@@ -51,6 +51,13 @@ def refusal(register: Register, wanted: Correction, terms: Terms = LATER) -> lis
     return [str(one.what) for one in caught.value.problems]
 
 
+def test_a_row_that_lost_its_noughts_is_issued_anew_under_its_name(before: Register) -> None:
+    saved = [replace(one, id=one.id.lstrip("0")) for one in CORRECTED]
+    extended = reissue(before, correction(), saved, LATER)
+    assert extended.register.by_student()["anna"].variant == CORRECTED[0]
+    assert "they are taken for these: 1 → 001, 2 → 002." in str(extended.notes[0])
+
+
 class TestVersions:
     def test_the_row_of_the_table_as_it_is_now_is_the_second_version(
         self, before: Register

@@ -187,6 +187,18 @@ def test_a_doubled_variant_names_both_rows(tmp_path: Path, small_course: Course)
     assert "in row 2 already" in problems[0][1]
 
 
+@pytest.mark.parametrize(("first", "second"), [("1", "001"), ("01", "1"), ("0", "000")])
+def test_names_that_differ_in_noughts_alone_are_refused(
+    tmp_path: Path, small_course: Course, first: str, second: str
+) -> None:
+    table = write(tmp_path, HEADER, row(variant=first), row(variant=second))
+    problems = problems_of(table, small_course)
+    assert problems[0][0] == "row 3, column variant"
+    assert f"The variant '{first}' is in row 2 already. Give each variant a name" in problems[0][1]
+    apart = write(tmp_path, HEADER, row(variant="a1"), row(variant="a01"))
+    assert [one.id for one in read_table(apart, small_course)] == ["a1", "a01"]
+
+
 def test_all_problems_are_told_at_once(tmp_path: Path, small_course: Course) -> None:
     path = write(
         tmp_path,

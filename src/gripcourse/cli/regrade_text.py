@@ -17,8 +17,9 @@ from gripcourse.text.words import Message, Words, counted, message
 if TYPE_CHECKING:
     from gripcourse.batch.one_file import GradingContext
     from gripcourse.gradebook.journal import Published, Regrade
-    from gripcourse.gradebook.model import Attempt, Result
+    from gripcourse.gradebook.model import Attempt
     from gripcourse.gradebook.regrade import Shift, WorkChange
+    from gripcourse.gradebook.results import Result
     from gripcourse.usecases.marks.history import Event
     from gripcourse.usecases.marks.regrade import Regrading
 

@@ -21,8 +21,7 @@ def without_times(reports: Sequence["Report"], words: Words) -> Iterator[str]:
     names = [
         one_line(Path(one.file).name)
         for one in reports
-        if one.judged and one.timing is not None
-        if one.timing.deadline is not None and one.timing.handed_in is None
+        if one.judged and one.timing is not None and one.timing.is_unknown
     ]
     if not names:
         return

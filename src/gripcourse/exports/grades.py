@@ -144,7 +144,7 @@ def _timing(report: Report) -> tuple[str, ...]:
         f"{timing.number}/{timing.of}",
         "1" if timing.counts else "0",
         "" if timing.handed_in is None else f"{timing.handed_in.astimezone(UTC):%Y-%m-%dT%H:%MZ}",
-        "" if timing.deadline is not None and timing.handed_in is None else str(timing.days_late),
+        "" if timing.is_unknown else str(timing.days_late),
     )
 
 

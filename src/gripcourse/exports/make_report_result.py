@@ -85,11 +85,18 @@ def report_result(report: Report, words: Words, scales: Sequence[Scale] = ()) ->
         digest=report.digest,
         known_by=report.known_by,
         earned=_points(report.earned) if report.judged else None,
-        days_late=0 if report.timing is None else report.timing.days_late,
+        days_late=_days_late(report),
         counts=_counts(report),
         percent=percent_of(report) if report.judged else None,
         scales=called if report.judged else {},
     )
+
+
+def _days_late(report: Report) -> int | None:
+    """Return the days that cost something; None where nobody knows when the work came."""
+    if report.timing is None:
+        return 0
+    return None if report.timing.is_unknown else report.timing.days_late
 
 
 def _counts(report: Report) -> bool | None:

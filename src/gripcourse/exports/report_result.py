@@ -108,7 +108,8 @@ class ReportResult:
         known_by: what told whose file it is: `person`, `signature`, `platform`, `file_name` or
             nothing.
         earned: what is left of the score after lateness; null where not judged or not known.
-        days_late: days begun after the deadline that cost something.
+        days_late: days begun after the deadline that cost something; null where there is a deadline
+            and nobody knows when the work was handed in, so that nothing is taken off.
         counts: whether it is the work of the student that counts; null where there are several and
             the policy does not say which.
         percent: score as a percentage of the points that wait for nobody; null where not judged.
@@ -135,7 +136,7 @@ class ReportResult:
     digest: str = ""
     known_by: KnownBy = KnownBy.NOTHING
     earned: float | None = None
-    days_late: int = 0
+    days_late: int | None = 0
     counts: bool | None = True
     percent: float | None = None
     scales: Mapping[str, str] = field(default_factory=dict)

@@ -6,12 +6,10 @@ from dataclasses import replace
 from gripcourse.gradebook.model import (
     Attempt,
     GradebookEntry,
-    Result,
     is_outdated,
     latest_marks,
-    results_of,
-    same_results,
 )
+from gripcourse.gradebook.results import Result, results_of, same_results
 from gripcourse.grading.flags import not_judged_flags
 from gripcourse.grading.model import (
     Against,

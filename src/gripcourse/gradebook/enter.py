@@ -6,7 +6,8 @@ from dataclasses import dataclass
 from datetime import datetime
 
 from gripcourse.errors import NextStep
-from gripcourse.gradebook.model import Attempt, GradebookEntry, Mark, Result
+from gripcourse.gradebook.model import Attempt, GradebookEntry, Mark
+from gripcourse.gradebook.results import Result
 from gripcourse.policy.rubric import Rubric, RubricLine
 from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.words import Message, message

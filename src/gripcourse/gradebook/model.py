@@ -1,19 +1,12 @@
 """What the gradebook keeps: attempts with their automatic results, and marks of persons."""
 
 from collections import defaultdict
-from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping
 from dataclasses import dataclass, replace
 from datetime import datetime
-from functools import lru_cache
-from sys import intern
-from typing import Final
 
-from gripcourse.grading.folded import Derivation, derived
-from gripcourse.grading.model import Finding, Outcome, Report
-
-# Points of one policy are the same number on each machine but for the last bits.
-_POINTS_DECIMALS = 6
-_RESULTS: Final = 8192  # different ones that are remembered: some two hundred bytes each
+from gripcourse.gradebook.results import POINTS_DECIMALS, Result, results_to_read, same_results
+from gripcourse.grading.model import Outcome, Report
 
 
 @dataclass(frozen=True, slots=True)
@@ -28,34 +21,6 @@ class Fingerprints:
     course: str
     policy: str
     engine: str = ""
-
-
-@dataclass(frozen=True, slots=True)
-class Result:
-    """What the program found out about one item by itself, before any person's mark.
-
-    Attributes:
-        quantity: id.
-        outcome: what was found.
-        points, max_points: earned and possible.
-    """
-
-    quantity: str
-    outcome: Outcome
-    points: float
-    max_points: float
-
-    def __reduce__(
-        self,
-    ) -> "tuple[Callable[[str, Outcome, float, float], Result], tuple[str, Outcome, float, float]]":
-        # As findings: half the time that dataclasses take of themselves.
-        return result_of, (self.quantity, self.outcome, self.points, self.max_points)
-
-
-@lru_cache(maxsize=_RESULTS)
-def result_of(quantity: str, outcome: Outcome, points: float, max_points: float) -> Result:
-    """Return a result; a cohort has few different ones, and each is made once."""
-    return Result(intern(quantity), outcome, points, max_points)
 
 
 @dataclass(frozen=True, slots=True)
@@ -88,7 +53,7 @@ class Attempt:
     graded_at: datetime
     fingerprints: Fingerprints
     judged: bool
-    results: tuple[Result, ...]
+    results: Collection[Result]
     regrade: int | None = None
     handed_in: datetime | None = None
     handed_in_said: bool = False
@@ -158,28 +123,10 @@ def attempt_of(report: Report, graded_at: datetime, fingerprints: Fingerprints) 
         graded_at=graded_at,
         fingerprints=replace(fingerprints, course=report.declarations or fingerprints.course),
         judged=report.judged,
-        results=results_of(report),
+        results=results_to_read(report),
         version=report.version,
         either_version=report.either_version,
     )
-
-
-def results_of(report: Report) -> tuple[Result, ...]:
-    """Return the automatic results of a report that no mark of a person has entered yet."""
-    return derived(report.findings, RESULTS)
-
-
-def _results(findings: Collection[Finding]) -> tuple[Result, ...]:
-    return tuple(Result(one.quantity, one.outcome, one.points, one.max_points) for one in findings)
-
-
-RESULTS: Final = Derivation("results", _results)
-"""What the gradebook keeps of findings."""
-
-
-def same_results(some: Sequence[Result], others: Sequence[Result]) -> bool:
-    """Tell whether two sets of results say the same, whatever their order."""
-    return some == others or _comparable(some) == _comparable(others)
 
 
 def says_the_same(one: Attempt, other: Attempt) -> bool:
@@ -212,7 +159,7 @@ def latest_marks_of_all(entries: Iterable[GradebookEntry]) -> dict[str, dict[str
     return {student: latest_marks(all_) for student, all_ in by_student.items()}
 
 
-def is_outdated(entry: GradebookEntry, digest: str, results: Sequence[Result]) -> bool:
+def is_outdated(entry: GradebookEntry, digest: str, results: Collection[Result]) -> bool:
     """Tell whether what a mark rests on is another than when it was entered.
 
     A mark rests on the file and on what the program found about its own item. What other items
@@ -235,16 +182,4 @@ def _finding_of(result: Result | None) -> tuple[Outcome, float] | None:
     if result is None:
         return None
     share = result.points / result.max_points if result.max_points else 0.0
-    return result.outcome, round(share, _POINTS_DECIMALS)
-
-
-def _comparable(results: Sequence[Result]) -> frozenset[tuple[str, Outcome, float, float]]:
-    return frozenset(
-        (
-            one.quantity,
-            one.outcome,
-            round(one.points, _POINTS_DECIMALS),
-            round(one.max_points, _POINTS_DECIMALS),
-        )
-        for one in results
-    )
+    return result.outcome, round(share, POINTS_DECIMALS)

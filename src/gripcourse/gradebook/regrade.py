@@ -4,7 +4,8 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from enum import StrEnum
 
-from gripcourse.gradebook.model import Attempt, GradebookEntry, Result, same_results
+from gripcourse.gradebook.model import Attempt, GradebookEntry
+from gripcourse.gradebook.results import Result, same_results
 from gripcourse.gradebook.works import StudentWork, points_of
 from gripcourse.grading.model import PointSums
 

@@ -5,7 +5,8 @@ from typing import Any, TypeAlias
 
 from sqlalchemy import Row as SqlRow
 
-from gripcourse.gradebook.model import Attempt, Fingerprints, Mark, Result, result_of
+from gripcourse.gradebook.model import Attempt, Fingerprints, Mark
+from gripcourse.gradebook.results import Result, digest_of_results, result_of
 from gripcourse.grading.outcome import outcome_named
 from gripcourse.machine.database.moments import in_utc, stored
 
@@ -33,6 +34,7 @@ def attempt_row(attempt: Attempt) -> Row:
         "judged": attempt.judged,
         "version": attempt.version,
         "either_version": attempt.either_version,
+        "results_digest": digest_of_results(attempt.results),
     }
 
 

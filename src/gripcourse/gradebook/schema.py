@@ -40,6 +40,7 @@ attempts = Table(
     Column("handed_in_said", Boolean),  # whether a person says so
     Column("version", Integer),  # of what was issued; none before there were versions
     Column("either_version", Boolean),  # whether several versions were tried
+    Column("results_digest", String(64)),  # of its results; none before it was kept
 )
 
 results = Table(

@@ -5,17 +5,19 @@ faster, the primary key refuses the whole transaction, and it is tried again wit
 nothing is lost, and nothing is half-written.
 """
 
-from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterable, Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 from itertools import groupby
-from operator import itemgetter
-from typing import Any, TypeAlias, TypeVar
+from typing import TypeAlias, TypeVar
 
-from sqlalchemy import Connection, Engine, Row, Select, Table, and_, select
+from sqlalchemy import Engine, Table, and_, select
 
 from gripcourse.errors import GradebookError, Problem
 from gripcourse.gradebook import rows, schema
 from gripcourse.gradebook.model import Attempt, GradebookEntry, Mark, says_the_same
+from gripcourse.gradebook.reading import answers, read_attempts, read_heads, read_results
+from gripcourse.gradebook.results import Result, ResultsToRead
 from gripcourse.machine.database.adding import add_many
 from gripcourse.machine.database.opening import (
     another_was_faster,
@@ -29,8 +31,6 @@ from gripcourse.text.words import message
 
 # Each refusal means that somebody else got through, so a few tries per rival are enough.
 _TRIES = 50
-_ASKED_AT_ONCE = 50  # students in one question; databases bound how many
-_AT_ONCE = 500  # rows
 
 _Kept = TypeVar("_Kept")
 Writing: TypeAlias = list[tuple[Table, Iterable[rows.Row]]]
@@ -100,26 +100,29 @@ class Gradebook:
 
     def attempts(self, students: Collection[str] | None = None) -> tuple[Attempt, ...]:
         """Return the attempts of these students (all where None), oldest first for each."""
-        one, result = schema.attempts.c, schema.results.c
-        heads = select(schema.attempts).order_by(
-            *in_code_order(self.engine, one.student, one.number)
-        )
-        # Not joined: the moments of an attempt would be read once for each of its results.
-        lines = select(
-            *(result.student, result.attempt),
-            *(result.quantity, result.outcome, result.points, result.max_points),
-        ).order_by(*in_code_order(self.engine, result.student, result.attempt, result.place))
         with refusals_named(self.place), self.engine.connect() as connection:
-            found = list(_answers(connection, heads, schema.attempts, students))
-            # After them: results of an attempt that is added in between belong to none of these.
-            answers = _answers(connection, lines, schema.results, students)
-            results = {
-                key: rows.results_of_rows(group)
-                for key, group in groupby(answers, key=itemgetter(0, 1))
-            }
-        return tuple(
-            rows.attempt_of_row(row, results.get((row.student, row.number), ())) for row in found
-        )
+            return read_attempts(connection, students)
+
+    def unread_attempts(self, students: Collection[str]) -> tuple[Attempt, ...]:
+        """Return the attempts of these students, the results of each read when somebody looks.
+
+        Each is another question then: of whom it is clear that somebody will, ask `attempts`.
+        """
+        with refusals_named(self.place), self.engine.connect() as connection:
+            return tuple(
+                replace(one, results=ResultsToRead(digest, partial(self._results, one)))
+                for one, digest in read_heads(connection, students)
+            )
+
+    def _results(self, attempt: Attempt) -> tuple[Result, ...]:
+        with refusals_named(self.place), self.engine.connect() as connection:
+            return read_results(connection, attempt)
+
+    def marked_students(self) -> frozenset[str]:
+        """Return the students of whom anything was ever marked."""
+        question = select(schema.marks.c.student).distinct()
+        with refusals_named(self.place), self.engine.connect() as connection:
+            return frozenset(connection.execute(question).scalars())
 
     def entries(
         self,
@@ -146,7 +149,7 @@ class Gradebook:
             .order_by(*in_code_order(self.engine, one.student, one.quantity, one.number, line.line))
         )
         with refusals_named(self.place), self.engine.connect() as connection:
-            found = _answers(connection, question, schema.marks, students)
+            found = answers(connection, question, schema.marks, students)
             marks = [
                 rows.mark_of_rows(list(group))
                 for _, group in groupby(
@@ -220,25 +223,6 @@ class Gradebook:
 def open_gradebook(place: str) -> Gradebook:
     """Open a gradebook, made where there is none yet; see `database.opening`."""
     return Gradebook(open_engine(place))
-
-
-def _answers(
-    connection: Connection, question: Select[Any], table: Table, students: Collection[str] | None
-) -> Iterator[Row[Any]]:
-    """Ask in portions of students, in the order of their ids; all at once where None.
-
-    Rows come as they are asked for: those of a whole cohort take more room than what they say.
-    """
-    if students is None:
-        with connection.execute(question, execution_options={"yield_per": _AT_ONCE}) as streamed:
-            yield from streamed
-        return
-    names = sorted(students)
-    portions = [
-        names[start : start + _ASKED_AT_ONCE] for start in range(0, len(names), _ASKED_AT_ONCE)
-    ]
-    for portion in portions:
-        yield from connection.execute(question.where(table.c.student.in_(portion)))
 
 
 def attempt_rows(attempts: Sequence[Attempt]) -> Writing:

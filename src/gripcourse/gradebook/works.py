@@ -4,7 +4,8 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from datetime import datetime
 
-from gripcourse.gradebook.model import Attempt, GradebookEntry, Result
+from gripcourse.gradebook.model import Attempt, GradebookEntry
+from gripcourse.gradebook.results import Result
 from gripcourse.grading.model import PointSums
 
 
@@ -69,7 +70,7 @@ def latest_judged(standing: Iterable[Attempt]) -> dict[str, Attempt]:
     }
 
 
-def points_of(results: Sequence[Result], marked: Mapping[str, GradebookEntry]) -> PointSums:
+def points_of(results: Iterable[Result], marked: Mapping[str, GradebookEntry]) -> PointSums:
     """Add up the points of automatic results with the marks that count, as a report does.
 
     Args:

@@ -190,6 +190,11 @@ class Timing:
     deduction: float
     waived: str
 
+    @property
+    def is_unknown(self) -> bool:
+        """Whether there is a deadline, and nobody knows whether the work came before it."""
+        return self.deadline is not None and self.handed_in is None
+
 
 @dataclass(frozen=True, slots=True)
 class Report:

@@ -3,6 +3,7 @@
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from datetime import date
+from typing import Final
 
 from gripcourse.errors import Problem, TableError
 from gripcourse.issuing.register import Register
@@ -10,6 +11,9 @@ from gripcourse.issuing.signature import sign
 from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.words import Message, counted, message
 from gripcourse.variants.model import Issued, Student, Variant
+from gripcourse.variants.names import without_noughts
+
+_NAMED: Final = 10  # variants that a note names
 
 
 @dataclass(frozen=True, slots=True)
@@ -66,6 +70,7 @@ def extend(
         TableError: a fixed variant is unknown or taken, or there are not enough variants; all
             problems at once.
     """
+    variants, renamed = named_as_issued(variants, register)
     known = register.by_student()
     roster = {student.id: student for student in students}
     kept = tuple(_updated(entry, roster) for entry in register.entries)
@@ -84,7 +89,7 @@ def extend(
     )
     notes = _notes(register, roster, variants, terms.deadline)
     extended = Register(register.course_id, (*kept, *issued), register.earlier)
-    return Extended(extended, notes, _outdated(register, roster, variants))
+    return Extended(extended, (*renamed, *notes), _outdated(register, roster, variants))
 
 
 def _outdated(
@@ -154,9 +159,37 @@ def find_variant(variants: Sequence[Variant], written: str) -> Variant | None:
     A spreadsheet that saves the roster cuts zeros off.
     """
     exact = [variant for variant in variants if variant.id == written]
-    loose = [variant for variant in variants if variant.id.lstrip("0") == written.lstrip("0")]
+    meant = without_noughts(written)
+    loose = [variant for variant in variants if without_noughts(variant.id) == meant]
     found = exact or loose
     return found[0] if len(found) == 1 else None
+
+
+def named_as_issued(
+    variants: Sequence[Variant], register: Register
+) -> tuple[tuple[Variant, ...], tuple[Message, ...]]:
+    """Return a table whose rows are called as they were when they were issued, and what is said.
+
+    A spreadsheet program makes 1 of 001. As a variant of its own it would be handed out once more.
+    """
+    table = {variant.id for variant in variants}
+    issued: dict[str, set[str]] = {}
+    for id_ in holders_of(register):
+        issued.setdefault(without_noughts(id_), set()).add(id_)
+    renamed: dict[str, str] = {}
+    for id_ in table:
+        meant = issued.get(without_noughts(id_), set())
+        if id_ not in meant and len(meant - table) == 1 == len(meant):
+            (renamed[id_],) = meant
+    if not renamed:
+        return tuple(variants), ()
+    pairs = [f"{one.id} → {renamed[one.id]}" for one in variants if one.id in renamed]
+    said = message(
+        "The table lacks the noughts of variants that were issued, as after a spreadsheet program;"
+        " they are taken for these: {pairs}.",
+        pairs=", ".join(pairs[:_NAMED]) + (", …" if len(pairs) > _NAMED else ""),
+    )
+    return tuple(replace(one, id=renamed.get(one.id, one.id)) for one in variants), (said,)
 
 
 def _refusal(
@@ -201,7 +234,7 @@ def _notes(
             notes.append(message("{student} keeps variant {variant} with the numbers that were"
                                  " issued; the table has others now.", student=name,
                                  variant=id_))  # fmt: skip
-        if student.variant and student.variant.lstrip("0") != id_.lstrip("0"):
+        if student.variant and without_noughts(student.variant) != without_noughts(id_):
             notes.append(message("{student} keeps variant {variant}, although the roster says"
                                  " {fixed} now.", student=name, variant=id_,
                                  fixed=student.variant))  # fmt: skip

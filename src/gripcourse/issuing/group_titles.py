@@ -1,20 +1,23 @@
 """Groups that stand above the people of a list, and not beside each of them.
 
 An office writes "Группа РТК-41" into a row of its own and the people below it, or into the title of
-the whole list.
+the whole list, or beside the first of them.
 """
 
 import re
-from collections.abc import Iterable
-from dataclasses import dataclass, field
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, field, replace
 from functools import cache
+from itertools import groupby, pairwise
 
 from gripcourse.text.spelling import plain
 from gripcourse.text.words import Message, message
 from gripcourse.variants.headings import declared_names
-from gripcourse.variants.sheet import Sheet
+from gripcourse.variants.sheet import Sheet, SheetRow
 
 _LONGEST = 30  # signs of a group in a row of its own; a longer text is a sentence
+_FEWEST = 3  # rows for each group that is written: where one has none, that may be meant
+_NAMED = 10  # rows that a note names
 
 
 @dataclass(frozen=True, slots=True)
@@ -60,6 +63,57 @@ def group_titles(sheet: Sheet) -> GroupTitles:
         if found is not None:
             rows[row.number] = " ".join(found["group"].split())
     return GroupTitles(in_titles.pop() if len(in_titles) == 1 else "", rows)
+
+
+def with_groups_below(sheet: Sheet, place: int) -> tuple[Sheet, tuple[Message, ...]]:
+    """Write the group beside everybody where it stands beside the first of each alone.
+
+    Elsewhere somebody without a group may have none: nothing is filled in, and a note names them.
+
+    Args:
+        sheet: the list, with rows of people only.
+        place: of the column of groups.
+    """
+    written = [row for row in sheet.rows if row.cells[place]]
+    without = [row for row in sheet.rows if not row.cells[place]]
+    if not written or not without:
+        return sheet, ()
+    if not _begin_blocks(sheet.rows, written, place):
+        rows = ", ".join(sheet.row_name(row.number) for row in without[:_NAMED])
+        rows += ", …" if len(without) > _NAMED else ""
+        return sheet, (message("No group is written in the rows: {rows}.", rows=rows),)
+    filled: list[SheetRow] = []
+    group = ""
+    for row in sheet.rows:
+        group = row.cells[place] or group
+        filled.append(replace(row, cells=(*row.cells[:place], group, *row.cells[place + 1 :])))
+    blocks = ", ".join(
+        f"{name} ({sheet.row_name(first.number)}–{sheet.row_name(last.number)})"
+        for name, first, last in _blocks(filled, place)
+    )
+    said = message(
+        "A group that stands in the first row of several is that of the rows below: {groups}.",
+        groups=blocks,
+    )
+    return replace(sheet, rows=tuple(filled)), (said,)
+
+
+def _begin_blocks(rows: Sequence[SheetRow], written: Sequence[SheetRow], place: int) -> bool:
+    """Tell whether each group is written where its people begin, or go on overleaf."""
+    names = [name for name, _ in groupby(row.cells[place] for row in written)]
+    return (
+        bool(rows[0].cells[place])
+        and len(rows) >= _FEWEST * len(written)
+        and len(set(names)) == len(names)
+        and not any(one.cells[place] == other.cells[place] != "" for one, other in pairwise(rows))
+    )
+
+
+def _blocks(rows: Iterable[SheetRow], place: int) -> Iterable[tuple[str, SheetRow, SheetRow]]:
+    """Return each group with its first and its last row."""
+    for name, found in groupby(rows, key=lambda row: row.cells[place]):
+        block = list(found)
+        yield name, block[0], block[-1]
 
 
 @cache

@@ -20,8 +20,8 @@ _SHOWN: Final = 40  # signs of a row that is left out
 # surname may be such a word; a first name follows it.
 _BEHIND: Final = re.compile(r"\s*(?:$|[-:(]|\d|студент|чел|student|осіб)")
 _NUMBERED: Final = re.compile(r"\s*\d{1,4}\s*[.)]\s*(?=\w)")
-# What stands in a line that a form asks somebody to fill in, and in nobody's name.
-_OF_A_FORM: Final = re.compile(r":|_{3}|\.{4}|…{2}")
+# What stands in a line that a form asks somebody to fill in, or before a note; in nobody's name.
+_OF_A_FORM: Final = re.compile(r":|_{3}|\.{4}|…{2}|^\s*[*†]")
 
 
 def with_names(sheet: Sheet, vocabulary: Vocabulary) -> Sheet:

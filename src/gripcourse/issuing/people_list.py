@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 from typing import Final
 
 from gripcourse.errors import Problem
-from gripcourse.issuing.group_titles import GroupTitles, group_titles
+from gripcourse.issuing.group_titles import GroupTitles, group_titles, with_groups_below
 from gripcourse.issuing.office_list import (
     PARTS_OF_NAME,
     with_addresses,
@@ -101,7 +101,11 @@ def _understood(whole: Sheet, vocabulary: Vocabulary) -> PeopleList:
     sheet, staff = without_staff(replace(named, rows=rows), columns)
     sheet, nobody = with_somebody(sheet, columns, vocabulary)
     sheet, no_addresses = with_addresses(without_numbers(sheet, columns), columns)
-    return PeopleList(sheet, columns, groups, tuple(problems), (*staff, *nobody, *no_addresses))
+    below: tuple[Message, ...] = ()
+    if "group" in columns:
+        sheet, below = with_groups_below(sheet, columns["group"].position)
+    left_out = (*staff, *nobody, *no_addresses, *below)
+    return PeopleList(sheet, columns, groups, tuple(problems), left_out)
 
 
 def _groups(whole: Sheet) -> GroupTitles:

@@ -6,7 +6,7 @@ from functools import reduce
 from typing import TypeAlias
 
 from gripcourse.errors import Problem, UsageError
-from gripcourse.issuing.allotment import Extended, Terms, find_variant, holders_of
+from gripcourse.issuing.allotment import Extended, Terms, find_variant, holders_of, named_as_issued
 from gripcourse.issuing.register import Register
 from gripcourse.issuing.signature import sign
 from gripcourse.text.suggestion import did_you_mean
@@ -57,6 +57,7 @@ def reissue(
         UsageError: with everything that cannot be done; nothing is to be kept then.
     """
     problems = list(_faults_of_call(correction))
+    variants, renamed = named_as_issued(variants, register)
     known, holders = register.by_student(), holders_of(register)
     fresh: dict[str, Issued] = {}
     for student in dict.fromkeys(correction.students):
@@ -83,7 +84,7 @@ def reissue(
             tuple(fresh.get(entry.student.id, entry) for entry in register.entries),
             (*register.earlier, *(known[student] for student in fresh)),
         ),
-        tuple(_said(known[student], entry, title_of) for student, entry in fresh.items()),
+        (*renamed, *(_said(known[student], entry, title_of) for student, entry in fresh.items())),
     )
 
 

@@ -22,6 +22,7 @@ from gripcourse.variants.explain import broken_option_rule, explain, with_unit
 from gripcourse.variants.feasible import Reason, judge
 from gripcourse.variants.headings import TableColumn
 from gripcourse.variants.model import Variant
+from gripcourse.variants.names import without_noughts
 from gripcourse.variants.row_faults import CellFault, RowRefusal, problems_of, refusals_of
 from gripcourse.variants.sheet import Sheet, SheetRow
 
@@ -88,13 +89,14 @@ class RowReader:
         id_ = self._cell(row, "variant")
         if not id_:
             self._add(row, "variant", message("The variant has no name."), message("Write one."))
-        elif id_ in seen:
+        elif (other := seen.get(without_noughts(id_))) is not None:
             self._add(
                 row,
                 "variant",
-                message("The variant '{variant}' is in row {row} already.", variant=id_,
-                        row=seen[id_].number),
-                message("Give each variant a name of its own."),
+                message("The variant '{variant}' is in row {row} already.",
+                        variant=self._cell(other, "variant"), row=other.number),
+                message("Give each variant a name of its own, and not one that differs in noughts"
+                        " before the number alone: spreadsheet programs drop them."),
             )  # fmt: skip
         elif not is_file_name(id_):
             self._add(
@@ -106,7 +108,7 @@ class RowReader:
                     most=LONGEST_NAME,
                 ),
             )
-        seen.setdefault(id_, row)
+        seen.setdefault(without_noughts(id_), row)
         return id_
 
     def _scheme(self, row: SheetRow) -> Scheme | None:

@@ -15,6 +15,7 @@ from gripcourse.batch.one_file import grade_file
 from gripcourse.batch.run import Graded
 from gripcourse.cli.demo.students import correct
 from gripcourse.cli.times_text import without_times
+from gripcourse.documents.report.soundness import time_sentence
 from gripcourse.documents.report.standing import timing_texts
 from gripcourse.errors import UsageError
 from gripcourse.exports.grades import grades_text
@@ -139,6 +140,12 @@ def test_works_without_a_time_are_named_and_have_no_days_late(office: Office) ->
     assert said.startswith("Nobody knows when these were handed in, so none of them is late (2)")
     header, row, _ = grades_text(reports).splitlines()
     assert dict(zip(header.split(","), row.split(","), strict=False))["days_late"] == ""
+    assert [report_result(one, Words("en")).days_late for one in reports] == [None, None]
+    assert "Nobody knows when this was handed in" in " ".join(timing_texts(reports[0], Words("en")))
+    assert "handed in nobody knows when: 2." in time_sentence(reports, Words("en"))
+    # Its own time may be that of unpacking a zip: nobody gets late by that.
+    again = office.grade()
+    assert [one.timing.handed_in for one in again if one.timing] == [None, None]
     assert list(without_times(office.grade("2026-12-01 10:00"), Words("en"))) == []
 
 

@@ -87,11 +87,12 @@ def time_sentence(reports: Sequence[Report], words: Words) -> str:
     works = Counter({student: timing.of for student, timing in timed})
     said = message(
         "Works: {works}, students: {students}; handed in more than once: {again}; late works:"
-        " {late}.",
+        " {late}; handed in nobody knows when: {unknown}.",
         works=len(timed),
         students=len(works),
         again=sum(count > 1 for count in works.values()),
         late=sum(timing.days_late > 0 for _, timing in timed),
+        unknown=sum(timing.is_unknown for _, timing in timed),
     )
     return words.say(said)
 

@@ -79,6 +79,10 @@ def timing_texts(report: Report, words: Words) -> list[str]:
                 score=points_text(report.score, words),
             )
         )
+    if timing.is_unknown and not timing.waived:
+        said.append(
+            message("Nobody knows when this was handed in: nothing is taken off for lateness.")
+        )
     if timing.waived:
         said.append(message("Lateness was waived: {why}", why=timing.waived))
     attempt = attempt_text(report, words)

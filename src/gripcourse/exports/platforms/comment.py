@@ -21,7 +21,7 @@ def comment_lines(work: GradedWork, course: Course, words: Words) -> Iterator[st
     if work.lost > _NOTHING:
         said = message(
             "Handed in late (days: {days}): minus {points} points.",
-            days=work.report.days_late,
+            days=work.report.days_late or 0,  # whose time is unknown loses nothing
             points=points_text(work.lost, words),
         )
         yield words.say(said)

@@ -10,7 +10,7 @@ from gripcourse.batch.run import Graded, grade_files, incident_number, is_found_
 from gripcourse.documents.report.totals import counting, shares
 from gripcourse.exports.grades import FOUND
 from gripcourse.exports.report_json import said_in
-from gripcourse.gradebook.model import RESULTS
+from gripcourse.gradebook.results import RESULTS, RESULTS_DIGEST
 from gripcourse.grading.model import Flag, FlagCode, Report
 from gripcourse.likeness.works import TYPED
 from gripcourse.machine.content import Readable
@@ -89,7 +89,7 @@ def grade(
     kept = None if earlier is None else earlier.reports
     count = min(workers, len(files))
     # What the gradebook, the search for likeness and the tables ask of every work.
-    wanted = (RESULTS, TYPED, FOUND, said_in(context.course.language))
+    wanted = (RESULTS, RESULTS_DIGEST, TYPED, FOUND, said_in(context.course.language))
     return grade_files(files, context, count, on_done, kept=kept, pool=pool, wanted=wanted)
 
 

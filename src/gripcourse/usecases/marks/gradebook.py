@@ -20,13 +20,14 @@ from gripcourse.gradebook.model import (
     attempt_of,
     latest_marks,
 )
+from gripcourse.gradebook.results import digest_is_known
 from gripcourse.gradebook.store import Gradebook, open_gradebook
 from gripcourse.gradebook.timing import Rules, Waiver, timings_of
 from gripcourse.gradebook.works import StudentWork, works_of
 from gripcourse.grading.folded import Shelf
 from gripcourse.grading.model import FlagCode, Report, Timing
 from gripcourse.machine.database.home import exists
-from gripcourse.policy.time_rules import LateRule
+from gripcourse.policy.time_rules import Counts, LateRule
 from gripcourse.usecases.marks.handed_in import HandingTime
 from gripcourse.variants.model import Issued
 
@@ -100,6 +101,7 @@ def keep(
         deadlines=deadlines,
         told=publications(book),
         waived=waivers(book),
+        marked=book.marked_students(),
     )
     kept, shelf = list(graded), Shelf(register=context.register)
     for students in _portions(list(places)):
@@ -123,6 +125,7 @@ class _Keeping:
         deadlines: of the course's table.
         told: what students were told so far.
         waived: the waivers of each student.
+        marked: students of whom anything was ever marked.
     """
 
     context: GradingContext
@@ -133,6 +136,7 @@ class _Keeping:
     deadlines: tuple[Deadline, ...]
     told: Sequence[Published]
     waived: Mapping[str, tuple[Waiver, ...]]
+    marked: Container[str]
 
 
 def _portions(students: Sequence[str]) -> Iterator[Sequence[str]]:
@@ -156,7 +160,7 @@ def _kept(
         for report in mine
     )
     attempts = [_timed(one, keeping.times.get(one.file)) for one in found if one is not None]
-    known, undone = book.attempts(students), book.undone()
+    known, undone = _known(keeping, students), book.undone()
     told = told_works(keeping.told, known)
     before = works_of(one for one in known if one.regrade not in undone)
     added = book.add_attempts(_to_add(attempts, told, before), known)
@@ -181,6 +185,21 @@ def _kept(
             if policy.attempts is not None and _is_ordered(timings.values()):
                 entered = [_undisputed(one) for one in entered]
         yield name, entered
+
+
+def _known(keeping: _Keeping, students: Sequence[str]) -> tuple[Attempt, ...]:
+    """Return all attempts of some students; results are read of those alone that are looked at.
+
+    Of most it is enough to know that they are the same as now.
+    """
+    rule, told = keeping.context.policy.attempts, {one.student for one in keeping.told}
+    compared = rule is not None and rule.counts is Counts.BEST
+    to_read = {one for one in students if compared or one in told or one in keeping.marked}
+    others = keeping.book.unread_attempts([one for one in students if one not in to_read])
+    # Of what an earlier program kept nobody knows it without reading.
+    to_read |= {one.student for one in others if not digest_is_known(one.results)}
+    unread = (one for one in others if one.student not in to_read)
+    return (*unread, *(keeping.book.attempts(to_read) if to_read else ()))
 
 
 def _is_ordered(timings: Iterable[Timing]) -> bool:

@@ -1,7 +1,7 @@
 """Regrading as a change that can be reviewed: shown first, applied with a reason, taken back."""
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from datetime import datetime
 
 from gripcourse.batch.kept_reports import KeptReports
@@ -93,7 +93,8 @@ def regrade(  # noqa: PLR0913 (the last ones are what everybody leaves as they a
     works = {(one.student, one.digest): one for all_ in by_student.values() for one in all_}
     versions = fingerprints(context.course.root)
     fresh = {
-        (one.student, one.digest): one
+        # Read once: they are looked at again and again.
+        (one.student, one.digest): replace(one, results=tuple(one.results))
         for one in (attempt_of(done.report, now, versions) for done in graded)
         if one is not None
     }
