@@ -52,7 +52,7 @@ def test_a_service_names_only_options_that_there_are() -> None:
 
 
 def test_nginx_starts_with_its_buffers() -> None:
-    """Two buffers may be busy; all but one of them must be more than that, or nginx ends at once."""
+    """Two buffers may be busy; all but one must be more than that, or nginx ends at once."""
     text = (DEPLOY / "nginx.conf").read_text(encoding="utf-8")
     first = re.search(r"proxy_buffer_size (\d+)k;", text)
     others = re.search(r"proxy_buffers (\d+) (\d+)k;", text)

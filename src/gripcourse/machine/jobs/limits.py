@@ -20,6 +20,7 @@ from multiprocessing.process import BaseProcess
 from pathlib import Path
 from types import FrameType
 
+from gripcourse.machine.jobs.room import start_if_there_is_room
 from gripcourse.text.words import Message, message
 
 _MEBIBYTE = 1024**2
@@ -220,7 +221,7 @@ def _die_with_parent() -> None:
     """
     parent = multiprocessing.parent_process()
     if parent is not None:
-        threading.Thread(target=_end_after, args=(parent,), daemon=True).start()
+        start_if_there_is_room(threading.Thread(target=_end_after, args=(parent,), daemon=True))
     if sys.platform == "linux":
         import ctypes  # noqa: PLC0415 (for this alone)
 

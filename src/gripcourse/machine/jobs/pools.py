@@ -25,6 +25,7 @@ from typing import Any, Final, Protocol, TypeAlias
 
 from gripcourse.machine.file_limits import demand_file_of
 from gripcourse.machine.jobs.limits import Limits, keep_within, limits_of_system
+from gripcourse.machine.jobs.room import demand_room
 
 Initializer: TypeAlias = Callable[..., None]
 
@@ -66,6 +67,7 @@ class Pool:
 
 
 def _processes(workers: int, first: Initializer, arguments: tuple[Any, ...]) -> Executor:
+    demand_room()
     most = _MOST_ON_WINDOWS if sys.platform == "win32" else workers
     # What a worker is started with goes through a pipe that nobody empties if it ends too early:
     # more than fits in there would be waited for in vain.
