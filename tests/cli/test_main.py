@@ -407,11 +407,19 @@ class TestWrongUse:
 
 
 class TestOurMistakes:
+    @pytest.mark.parametrize(
+        "fault",
+        [
+            MemoryError(),
+            RuntimeError("can't start new thread"),
+            ImportError("mtrand.so: failed to map segment from shared object"),
+        ],
+    )
     def test_too_little_memory_is_no_mistake_of_ours(
-        self, gripcourse: Command, monkeypatch: pytest.MonkeyPatch
+        self, gripcourse: Command, monkeypatch: pytest.MonkeyPatch, fault: Exception
     ) -> None:
         def fail(*_: object, **__: object) -> None:
-            raise MemoryError
+            raise fault
 
         monkeypatch.setattr("gripcourse.usecases.authoring.validate.validated", fail)
         run = gripcourse("validate")

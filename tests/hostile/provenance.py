@@ -18,6 +18,13 @@ from gripcourse.submission.raw import RawCell, RawWorkbook
 
 Texts: TypeAlias = tuple[str | None, ...]
 
+_RAISED = {
+    **{str(digit): sign for digit, sign in enumerate("⁰¹²³⁴⁵⁶⁷⁸⁹")},
+    "+": "⁺",
+    "-": "⁻",
+    "\u2212": "⁻",
+    **dict.fromkeys("oOоО", "°"),
+}
 _ADDRESS = re.compile(r"\$?([A-Za-z]{1,3})\$?([0-9]{1,7})")
 
 
@@ -125,7 +132,18 @@ def _points_at(reference: str, address: str) -> bool:
 
 def _text(item: ET.Element) -> str:
     pieces = [item, *(one for one in item if _is(one, "r"))]
-    return _read_out("".join(one.text or "" for piece in pieces for one in piece if _is(one, "t")))
+    return "".join(_shown(piece) for piece in pieces)
+
+
+def _shown(piece: ET.Element) -> str:
+    text = _read_out("".join(one.text or "" for one in piece if _is(one, "t")))
+    raised = any(
+        _is(one, "vertAlign") and one.get("val") == "superscript"
+        for looks in piece
+        if _is(looks, "rPr")
+        for one in looks
+    )
+    return "".join(_RAISED.get(sign, sign) for sign in text) if raised else text
 
 
 def _read_out(text: str) -> str:

@@ -13,7 +13,7 @@ from gripcourse.submission.interpret import interpret
 from gripcourse.submission.model import Reading, Rejected, Submission
 from gripcourse.submission.raw import RawWorkbook
 from gripcourse.submission.read import read_workbook
-from hostile import harmless
+from hostile import foreign, harmless
 from hostile.small_workbook import (
     HIDDEN,
     PARTS,
@@ -26,7 +26,7 @@ from hostile.small_workbook import (
 )
 from hostile.test_kinds import kinds_in
 
-KINDS: Final = dict(kinds_in(harmless))
+KINDS: Final = dict([*kinds_in(harmless), *kinds_in(foreign)])
 LOOKS_LOST: Final = "styles of the workbook are damaged"
 PART_DAMAGED: Final = "Parts of the workbook are damaged"
 # What a percentage and a date show hangs on their format.

@@ -14,7 +14,7 @@ from gripcourse.machine.spreadsheet.refusals import WhyRefused
 from gripcourse.submission.apart import READERS
 from gripcourse.submission.model import Reading, Rejected
 from gripcourse.submission.raw import RawWorkbook
-from hostile import archives, harmless, parts, sheets
+from hostile import archives, disguises, foreign, harmless, parts, sheets
 from hostile.provenance import invented
 from hostile.reading import Outcome, as_student, as_table, faults_of
 from hostile.small_workbook import ANSWERS, PARTS, archive, quantities
@@ -33,7 +33,9 @@ def kinds_in(module: ModuleType) -> Iterator[tuple[str, Callable[[], bytes]]]:
 
 
 KINDS: Final = dict(
-    pair for module in (archives, sheets, parts, harmless) for pair in kinds_in(module)
+    pair
+    for module in (archives, disguises, sheets, parts, harmless, foreign)
+    for pair in kinds_in(module)
 )
 
 

@@ -111,6 +111,7 @@ def on_its_first_day(school: LtiCourse) -> Iterator[LtiCourse]:
         school.platform.down = False
         school.platform.scores.clear()
         school.platform.refuses.clear()
+        school.platform.faults.clear()
 
 
 def declared_as(platform: StandIn) -> Platform:

@@ -88,6 +88,7 @@ class StandIn:
         scores: what was put into its gradebook: column and score.
         columns: that the tool made.
         refuses: users of whom it takes no score.
+        faults: what it answers to scores instead of taking them, in turn.
         asked: how often its keys were fetched.
         down: whether it answers its keys with an error.
         may_answer: set unless who asks for its keys has to wait.
@@ -102,6 +103,7 @@ class StandIn:
     scores: list[tuple[str, dict[str, Any]]] = field(default_factory=list)
     columns: list[dict[str, Any]] = field(default_factory=list)
     refuses: set[str] = field(default_factory=set)
+    faults: list[int] = field(default_factory=list)
     tokens: dict[str, str] = field(default_factory=dict)
     assertions: set[str] = field(default_factory=set)
     asked: int = 0
@@ -215,6 +217,9 @@ def _answer_post(platform: StandIn, request: BaseHTTPRequestHandler) -> None:
         platform.columns.append(made)
         _json(request, made)
     elif parts.path.endswith("/scores") and _may(platform, request, SCORE):
+        if platform.faults:
+            _send(request, platform.faults.pop(0), b"")
+            return
         score = json.loads(body)
         right = kind == "application/vnd.ims.lis.v1.score+json"
         if not right or score["userId"] in platform.refuses:

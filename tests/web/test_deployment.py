@@ -51,6 +51,17 @@ def test_a_service_names_only_options_that_there_are() -> None:
         assert set(options) <= set(serve.__annotations__)
 
 
+def test_nginx_starts_with_its_buffers() -> None:
+    """Two buffers may be busy; all but one must be more than that, or nginx ends at once."""
+    text = (DEPLOY / "nginx.conf").read_text(encoding="utf-8")
+    first = re.search(r"proxy_buffer_size (\d+)k;", text)
+    others = re.search(r"proxy_buffers (\d+) (\d+)k;", text)
+    assert first is not None
+    assert others is not None
+    number, size = int(others[1]), int(others[2])
+    assert 2 * max(int(first[1]), size) < (number - 1) * size
+
+
 def test_a_server_may_start_before_anything_was_graded(tmp_path: Path) -> None:
     graded = tmp_path / "graded"
     look_into(Serving("127.0.0.1", 0, "", None, graded, 0))

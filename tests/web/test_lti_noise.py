@@ -13,12 +13,14 @@ import httpx2
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from joserfc.jwk import KeySet
 
+from gripcourse.access.lti.given_access import Access
 from gripcourse.access.lti.key_sets import KeySets
 from gripcourse.access.lti.launch import MEMBERS_SCOPE, PlatformRole, read_launch
 from gripcourse.access.lti.platforms import Platform
 from gripcourse.access.lti.refused import LaunchRefusedError, PlatformFailedError
-from gripcourse.access.lti.services import Access, students_of
+from gripcourse.access.lti.services import students_of
 from gripcourse.access.lti.web_client import PlatformClient, make_client
 from support.lti_course import declared_as
 from support.platform import CLAIM, StandIn, new_key, public_jwk, signed
@@ -112,7 +114,7 @@ def test_a_set_of_keys_of_any_kind_is_understood_or_refused(found: object) -> No
     st.sampled_from(["user_id", "roles", "status", "name", "email"]), JSON)))  # fmt: skip
 def test_members_of_any_kind_are_named_or_refused(found: object) -> None:
     with answering(lambda: json.dumps(found).encode()) as client:
-        access = Access(client, PLATFORM, {MEMBERS_SCOPE: "token"})
+        access = Access(client, PLATFORM, KeySet([]), lambda: NOW, tokens={MEMBERS_SCOPE: "token"})
         try:
             people = students_of(access, f"{STAND_IN.address}/members")
         except PlatformFailedError:

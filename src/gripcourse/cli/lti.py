@@ -230,21 +230,30 @@ def send_grades(
 ) -> None:
     """Send published results to the platform's gradebook: what is new or changed."""
     with _needs_library():
+        from gripcourse.access.lti.given_access import Access
+        from gripcourse.access.lti.tool_key import read_tool_keys
         from gripcourse.access.lti.web_client import make_client
         from gripcourse.usecases.publishing import lti_grades as command
         from gripcourse.usecases.serving.desk import open_context
         from gripcourse.usecases.serving.lti import chosen_platform
 
     words, root = words_for(language), course_folder(course)
-    context = open_context(root)
-    wanted = command.ScoreOrder(chosen_platform(root, platform), line_item, by or getpass.getuser())
+    context, chosen = open_context(root), chosen_platform(root, platform)
+    wanted, fates = command.ScoreOrder(line_item, by or getpass.getuser()), []
     with _platform_answers(), make_client() as client:
-        done = list(command.send_grades(context, client, wanted, datetime.now(UTC)))
-    for one in done:
-        if one.why is not None:
-            said = message("{student}: not sent. {why}", student=one.student, why=one.why)
-            typer.echo(words.say(said), err=True)
-    fates = [one.fate for one in done]
+        access = Access(client, chosen, read_tool_keys(root), lambda: datetime.now(UTC))
+        for one in command.send_grades(context, access, wanted):
+            fates.append(one.fate)
+            if one.why is not None:
+                said = message("{student}: not sent. {why}", student=one.student, why=one.why)
+                typer.echo(words.say(said), err=True)
+    if command.ScoreFate.NOT_TRIED in fates:
+        said = message(
+            "The platform stopped answering; not tried: {count}. What was sent is kept: call this"
+            " again later.",
+            count=fates.count(command.ScoreFate.NOT_TRIED),
+        )
+        typer.echo(words.say(said), err=True)
     said = message(
         "Sent: {sent}; unchanged: {unchanged}; without a result: {none}; not seen on the platform:"
         " {unseen}; failed: {failed}.",
@@ -252,10 +261,10 @@ def send_grades(
         unchanged=fates.count(command.ScoreFate.UNCHANGED),
         none=fates.count(command.ScoreFate.NO_RESULT),
         unseen=fates.count(command.ScoreFate.NOT_SEEN),
-        failed=fates.count(command.ScoreFate.FAILED),
+        failed=sum(one in command.NOT_SENT for one in fates),
     )
     confirm(words.say(said))
-    raise typer.Exit(NEEDS_PERSON if command.ScoreFate.FAILED in fates else DONE)
+    raise typer.Exit(NEEDS_PERSON if command.NOT_SENT.intersection(fates) else DONE)
 
 
 @app.command("roster", cls=SpokenCommand)
@@ -268,6 +277,8 @@ def roster(
 ) -> None:
     """Write the students of the platform's course as a roster."""
     with _needs_library():
+        from gripcourse.access.lti.given_access import Access
+        from gripcourse.access.lti.tool_key import read_tool_keys
         from gripcourse.access.lti.web_client import make_client
         from gripcourse.usecases.serving import lti_roster as command
         from gripcourse.usecases.serving.desk import open_context
@@ -276,7 +287,8 @@ def roster(
     root = course_folder(course)
     context, chosen = open_context(root), chosen_platform(root, platform)
     with _platform_answers(), make_client() as client:
-        people = command.fetch_roster(context, client, chosen, datetime.now(UTC))
+        access = Access(client, chosen, read_tool_keys(root), lambda: datetime.now(UTC))
+        people = command.fetch_roster(context, access)
     command.write_roster(people, out)
     said = message("Students in {file}: {count}.", file=str(out), count=len(people))
     confirm(words_for(language).say(said))

@@ -276,16 +276,23 @@ def _guard(run: Callable[[], int | None]) -> int:
         return _refused([system_problem(error).say(chosen_words())])
     except MemoryError:
         pass  # what the failure holds is let go first: a sentence takes memory, too
-    except Exception:  # noqa: BLE001 (the last place that can say it kindly)
-        trace = traceback.format_exc()
-        log = cli_text.write_incident(trace)
-        said = message("This is our mistake, not yours. The details are in {file}.", file=str(log))
-        if log is None:
-            said = message("This is our mistake, not yours. The details stand above.")
-        lines = [trace] if is_verbose() or log is None else []
-        _complain([*lines, chosen_words().say(said)])
-        return OUR_MISTAKE
+    except Exception as error:  # noqa: BLE001 (the last place that can say it kindly)
+        from gripcourse.machine.jobs.room import is_lack_of_room
+
+        if not is_lack_of_room(error):
+            return _our_mistake()
     return _refused([_said_of_memory()])
+
+
+def _our_mistake() -> int:
+    trace = traceback.format_exc()
+    log = cli_text.write_incident(trace)
+    said = message("This is our mistake, not yours. The details are in {file}.", file=str(log))
+    if log is None:
+        said = message("This is our mistake, not yours. The details stand above.")
+    lines = [trace] if is_verbose() or log is None else []
+    _complain([*lines, chosen_words().say(said)])
+    return OUR_MISTAKE
 
 
 def _said_of_memory() -> str:

@@ -11,11 +11,13 @@ from typing import Final
 
 import httpx2
 import pytest
+from joserfc.jwk import KeySet
 
+from gripcourse.access.lti.given_access import Access
 from gripcourse.access.lti.launch import MEMBERS_SCOPE, SCORE_SCOPE
 from gripcourse.access.lti.platforms import Platform
 from gripcourse.access.lti.refused import PlatformFailedError
-from gripcourse.access.lti.services import Access, Score, send_score, students_of
+from gripcourse.access.lti.services import Score, send_score, students_of
 from gripcourse.access.lti.web_client import PlatformClient, PlatformQuestion, ask, make_client
 from support.lti_course import declared_as
 from support.platform import LEARNER, StandIn, new_key
@@ -117,6 +119,11 @@ def declared(address: str) -> Platform:
     return declared_as(StandIn(new_key(), NOW.timestamp, address=address))
 
 
+def granted(client: PlatformClient, scope: str) -> Access:
+    platform = declared("https://lms.example")
+    return Access(client, platform, KeySet([]), lambda: NOW, tokens={scope: "t"})
+
+
 def member(user: str) -> dict[str, object]:
     return {"user_id": user, "roles": [LEARNER], "name": user}
 
@@ -158,14 +165,14 @@ def test_pages_that_lead_elsewhere_or_nowhere_make_no_half_roster(
 ) -> None:
     asked: list[str] = []
     with paging(following, asked) as client, pytest.raises(PlatformFailedError, match=said):
-        students_of(Access(client, declared("https://lms.example"), {MEMBERS_SCOPE: "t"}), MEMBERS)
+        students_of(granted(client, MEMBERS_SCOPE), MEMBERS)
     assert {httpx2.URL(one).host for one in asked} == {"lms.example"}
 
 
 def test_the_next_page_may_be_named_from_the_one_before() -> None:
     asked: list[str] = []
     with paging(lambda number: "?page=2" if number == 1 else "", asked) as client:
-        access = Access(client, declared("https://lms.example"), {MEMBERS_SCOPE: "t"})
+        access = granted(client, MEMBERS_SCOPE)
         people = students_of(access, MEMBERS)
     assert [one.user for one in people] == ["u1", "u2"]
     assert asked == [MEMBERS, f"{MEMBERS}?page=2"]
@@ -175,9 +182,9 @@ def test_a_platform_by_https_sends_no_score_to_this_machine() -> None:
     asked: list[str] = []
     score = Score(points=4, maximum=10, comment="", final=True)
     with paging(lambda _: "", asked) as client:
-        access = Access(client, declared("https://lms.example"), {SCORE_SCOPE: "t"})
+        access = granted(client, SCORE_SCOPE)
         with pytest.raises(PlatformFailedError, match="not by https"):
-            send_score(access, "http://127.0.0.1:9/lines/1", "u1", score, NOW)
+            send_score(access, "http://127.0.0.1:9/lines/1", "u1", score)
         assert asked == []
-        send_score(access, "https://lms.example/lines/1", "u1", score, NOW)
+        send_score(access, "https://lms.example/lines/1", "u1", score)
     assert asked == ["https://lms.example/lines/1/scores"]

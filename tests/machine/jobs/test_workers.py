@@ -25,6 +25,7 @@ from gripcourse.machine.jobs.pools import (
     Pool,
     pool_for,
 )
+from gripcourse.machine.jobs.warm import do_apart
 from gripcourse.machine.jobs.workers import all_done, in_order, run_each
 from support.processes import is_running, wait_for
 
@@ -226,6 +227,30 @@ class TestMemory:
         assert found == (bounded, bounded)
         said = str(memory_notice(Limits()))
         assert str(bounded // 1024**2) in said
+
+    def test_a_limit_that_was_lowered_since_the_first_workers_is_taken(
+        self, errands: ModuleType
+    ) -> None:
+        large, lower = 8 * 1024**3, 6 * 1024**3  # more than this process has
+        limits = Limits(memory=large)
+
+        def found() -> tuple[int, int]:
+            pool = Pool(PROCESSES.open, apart=True, limits=limits)
+            jobs = run_each(errands.memory, [0], None, workers=1, seconds=60, pool=pool)
+            ((_, of_pool),) = jobs
+            apart = do_apart(errands.memory, None, None, limits=limits, seconds=60)
+            assert isinstance(of_pool, tuple)
+            assert isinstance(apart, tuple)
+            return of_pool[0], apart[0]
+
+        before = resource.getrlimit(resource.RLIMIT_AS)
+        assert found() == (large, large)
+        resource.setrlimit(resource.RLIMIT_AS, (lower, before[1]))
+        try:
+            assert found() == (lower, lower)
+        finally:
+            resource.setrlimit(resource.RLIMIT_AS, before)
+        assert found() == (large, large)
 
     @pytest.fixture
     def bounded(self, monkeypatch: pytest.MonkeyPatch) -> Iterator[int]:

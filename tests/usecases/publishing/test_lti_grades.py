@@ -12,15 +12,18 @@ import pytest
 from sqlalchemy import insert
 
 from gripcourse.access.lti import schema
+from gripcourse.access.lti.given_access import Access, Patience
 from gripcourse.access.lti.model import Bond
 from gripcourse.access.lti.platforms import platforms_path
-from gripcourse.access.lti.tool_key import make_tool_key
+from gripcourse.access.lti.tool_key import make_tool_key, read_tool_keys
+from gripcourse.access.lti.web_client import make_client
 from gripcourse.cli import main as cli
 from gripcourse.exports.report_result import GradesResult, ReportResult
 from gripcourse.machine.database.moments import stored
 from gripcourse.machine.database.opening import writing
 from gripcourse.policy.model import Policy
 from gripcourse.usecases.grading.batch_tables import GRADES_CSV, GRADES_JSON
+from gripcourse.usecases.publishing.lti_grades import ScoreFate, ScoreOrder, send_grades
 from gripcourse.usecases.publishing.publish import publish, withdraw
 from gripcourse.usecases.serving.lti import store_of
 from support.clock import BEGAN
@@ -132,10 +135,45 @@ def test_one_that_fails_is_named_and_the_others_are_sent(
     school.platform.refuses.add("user-anna")
     said = run("send-grades")
     assert said.startswith("1 ")
-    assert "s01: not sent. The platform answered 422." in said
+    assert "s01: not sent. The platform takes no score of this student" in said
     assert [one["userId"] for _, one in school.platform.scores] == ["user-oksana"]
     school.platform.refuses.clear()
     assert run("send-grades").startswith("0 Sent: 1; unchanged: 1;")
+
+
+def sent_by(school: LtiCourse) -> dict[str, ScoreFate]:
+    """Send results without the command line, which would wait for a platform that is away."""
+    context = school.context
+    with make_client() as client:
+        keys, patience = read_tool_keys(context.course.root), Patience(sleep=lambda _: None)
+        access = Access(client, school.declared, keys, school.clock, patience)
+        done = list(send_grades(context, access, ScoreOrder("", "Dr. Ray")))
+    return {one.student: one.fate for one in done}
+
+
+def test_what_an_outage_left_is_sent_by_the_next_time(school: LtiCourse, tmp_path: Path) -> None:
+    store, declared, students = store_of(school.context), school.declared, ("s03", "s04")
+    for student in students:
+        user = f"user-{student}"
+        store.bind(Bond(declared.issuer, declared.client_id, user, student, "", BEGAN))
+    everybody = ("s01", "s02", *students)
+    release(school, tmp_path, *(report(one, 3) for one in everybody))
+    platform = school.platform
+    platform.faults += [503] * 9
+    failed, not_tried = ScoreFate.FAILED, ScoreFate.NOT_TRIED
+    assert list(sent_by(school).values()) == [failed, failed, failed, not_tried]
+    assert platform.scores == []
+
+    platform.faults += [503, 500, 401]
+    platform.refuses.add("user-s03")
+    assert sent_by(school) == {**dict.fromkeys(everybody, ScoreFate.SENT), "s03": failed}
+    platform.refuses.clear()
+    assert sent_by(school) == {
+        **dict.fromkeys(everybody, ScoreFate.UNCHANGED),
+        "s03": ScoreFate.SENT,
+    }
+    users = [one["userId"] for _, one in platform.scores]
+    assert users == ["user-anna", "user-oksana", "user-s04", "user-s03"]
 
 
 def test_a_student_whom_two_claim_gets_no_grade(

@@ -1,5 +1,6 @@
 """With which keys a platform signs: fetched from it, and kept for a while."""
 
+import logging
 import threading
 import time
 from collections.abc import Callable, Mapping
@@ -12,6 +13,8 @@ from joserfc.jwk import RSAKey
 
 from gripcourse.access.lti.refused import LaunchRefusal, LaunchRefusedError, PlatformFailedError
 from gripcourse.access.lti.web_client import PlatformClient, PlatformQuestion, ask
+
+_log = logging.getLogger(__name__)
 
 KEPT_SECONDS: Final = 3600.0
 _APART_SECONDS: Final = 20.0
@@ -102,7 +105,9 @@ class KeySets:
         try:
             with self._make() as client:
                 content = ask(client, PlatformQuestion(url)).content
-        except PlatformFailedError:
+        except PlatformFailedError as fault:
+            # Who comes is told to come later; what is to be mended only the administrator can see.
+            _log.warning("no keys from %s: %s", url, fault)
             return None
         match content:
             case {"keys": list(found)}:

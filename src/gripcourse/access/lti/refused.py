@@ -46,13 +46,35 @@ class LaunchRefusedError(Exception):
         self.context = context
 
 
+class PlatformFailure(StrEnum):
+    """In which way a platform did not do what it was asked to: what to do next hangs on it."""
+
+    AWAY = "away"  # not reached, or no answer in time: perhaps it was done
+    BUSY = "busy"  # asks us to come again later
+    BROKEN = "broken"  # a fault of its own
+    UNKNOWN = "unknown"  # what lets us in is no longer good
+    REFUSED = "refused"  # as often as it is asked
+
+
 class PlatformFailedError(Exception):
     """A platform did not do what it was asked to.
 
     Attributes:
         said: what it did instead, without anything secret.
+        failure: in which way.
+        status: of HTTP; 0 where there was none.
+        pause: after how many seconds it wants to be asked again; None where it does not say.
     """
 
-    def __init__(self, said: Message) -> None:
+    def __init__(
+        self,
+        said: Message,
+        failure: PlatformFailure = PlatformFailure.REFUSED,
+        status: int = 0,
+        pause: float | None = None,
+    ) -> None:
         super().__init__(str(said))
         self.said = said
+        self.failure = failure
+        self.status = status
+        self.pause = pause

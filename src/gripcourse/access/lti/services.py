@@ -1,17 +1,12 @@
 """What a platform is asked to do: to take a score, to make a column for it, to name its members."""
 
 import json
-import secrets
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
-from datetime import datetime
 from typing import Any, Final
 from urllib.parse import urlencode, urlsplit, urlunsplit
 
-from joserfc import jwt
-from joserfc.jwk import KeySet
-
-from gripcourse.access.lti.key_sets import ALGORITHM
+from gripcourse.access.lti.given_access import Access, ask_with_access
 from gripcourse.access.lti.launch import (
     LINE_ITEM_SCOPE,
     MEMBERS_SCOPE,
@@ -20,18 +15,30 @@ from gripcourse.access.lti.launch import (
     PlatformRole,
     role_of,
 )
-from gripcourse.access.lti.platforms import Platform, is_of_platform, origin_of
+from gripcourse.access.lti.platforms import is_of_platform, origin_of
 from gripcourse.access.lti.refused import LaunchRefusedError, PlatformFailedError
-from gripcourse.access.lti.web_client import PlatformAnswer, PlatformClient, PlatformQuestion, ask
-from gripcourse.text.words import message
+from gripcourse.access.lti.web_client import PlatformAnswer, PlatformQuestion
+from gripcourse.text.words import Message, message
 
-_ASSERTION: Final = "urn:ietf:params:oauth:client-assertion-type:jwt-bearer"
 _SCORE: Final = "application/vnd.ims.lis.v1.score+json"
 _LINE_ITEM: Final = "application/vnd.ims.lis.v2.lineitem+json"
 _LINE_ITEMS: Final = "application/vnd.ims.lis.v2.lineitemcontainer+json"
 _MEMBERS: Final = "application/vnd.ims.lti-nrps.v2.membershipcontainer+json"
-_ASSERTION_SECONDS: Final = 60
 _MOST_PAGES: Final = 1000
+_NOT_TAKEN: Final = message(
+    "The platform takes no score of this student: look whether it still has the student in its"
+    " course"
+)
+# Moodle answers 400 and Canvas 422 for who is no student of the course; 409 is of the standard.
+_NO_SCORE: Final[Mapping[int, Message]] = {
+    400: _NOT_TAKEN,
+    422: _NOT_TAKEN,
+    403: message("The platform does not let us send scores"),
+    404: message("The platform has this column or this student no more"),
+    409: message(
+        "The platform has a later score of this student already; look whether both clocks are right"
+    ),
+}
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,75 +57,33 @@ class Score:
     final: bool
 
 
-@dataclass(frozen=True, slots=True)
-class Access:
-    """What a platform lets us do for a while, by the scope that was asked for."""
-
-    client: PlatformClient
-    platform: Platform
-    tokens: Mapping[str, str]
-
-    def __repr__(self) -> str:
-        """Leave the tokens out: this may stand in a log."""
-        return f"Access({self.platform.name})"
-
-
-def open_access(
-    client: PlatformClient,
-    platform: Platform,
-    keys: KeySet,
-    scopes: Iterable[str],
-    now: datetime,
-) -> Access:
-    """Ask a platform for access; it knows us by our key.
-
-    Raises:
-        PlatformFailedError: it refuses.
-    """
-    key, seconds = keys.keys[0], int(now.timestamp())
-    key.ensure_kid()
-    claims: dict[str, Any] = {
-        "iss": platform.client_id,
-        "sub": platform.client_id,
-        "aud": platform.token_audience,
-        "iat": seconds,
-        "exp": seconds + _ASSERTION_SECONDS,
-        "jti": secrets.token_urlsafe(),
-    }
-    tokens = {}
-    for scope in scopes:
-        header = {"alg": ALGORITHM, "kid": key.kid}
-        fields = {
-            "grant_type": "client_credentials",
-            "client_assertion_type": _ASSERTION,
-            "client_assertion": jwt.encode(header, {**claims, "jti": secrets.token_urlsafe()}, key),
-            "scope": scope,
-        }
-        asked = PlatformQuestion(platform.token_url, "POST", {"Accept": "application/json"}, fields)
-        match ask(client, asked).content:
-            case {"access_token": str(token)} if token.isascii() and token.isprintable():
-                tokens[scope] = token
-            case _:
-                raise PlatformFailedError(message("The platform gave no access."))
-    return Access(client, platform, tokens)
-
-
-def send_score(access: Access, line_item: str, user: str, score: Score, now: datetime) -> None:
+def send_score(access: Access, line_item: str, user: str, score: Score) -> None:
     """Put a score into a column of the platform's gradebook.
 
     Raises:
-        PlatformFailedError: it was not taken.
+        PlatformFailedError: it was not taken, or nobody knows whether it was.
     """
-    sent = {
-        "userId": user,
-        "scoreGiven": score.points,
-        "scoreMaximum": score.maximum,
-        "comment": score.comment,
-        "timestamp": now.isoformat(timespec="milliseconds"),
-        "activityProgress": "Completed",
-        "gradingProgress": "FullyGraded" if score.final else "PendingManual",
-    }
-    _post(access, SCORE_SCOPE, _below(line_item, "scores"), _SCORE, sent)
+
+    def sent() -> dict[str, Any]:
+        return {
+            "userId": user,
+            "scoreGiven": score.points,
+            "scoreMaximum": score.maximum,
+            "comment": score.comment,
+            # A platform keeps what is later; the same again would not be.
+            "timestamp": access.clock().isoformat(timespec="milliseconds"),
+            "activityProgress": "Completed",
+            "gradingProgress": "FullyGraded" if score.final else "PendingManual",
+        }
+
+    try:
+        _post(access, SCORE_SCOPE, _below(line_item, "scores"), _SCORE, sent)
+    except PlatformFailedError as fault:
+        why = _NO_SCORE.get(fault.status)
+        if why is None:
+            raise
+        said = message("{why} ({status}).", why=why, status=str(fault.status))
+        raise PlatformFailedError(said, fault.failure, fault.status, fault.pause) from fault
 
 
 def line_item_of(access: Access, line_items: str, resource: str, label: str, total: float) -> str:
@@ -141,7 +106,7 @@ def line_item_of(access: Access, line_items: str, resource: str, label: str, tot
                 case {"id": str(address), "resourceId": str(named)} if named == resource:
                     return address
     made = {"label": label, "scoreMaximum": total, "resourceId": resource}
-    match _post(access, LINE_ITEM_SCOPE, line_items, _LINE_ITEM, made).content:
+    match _post(access, LINE_ITEM_SCOPE, line_items, _LINE_ITEM, lambda: made).content:
         case {"id": str(address)}:
             return address
     raise PlatformFailedError(message("The platform made no column."))
@@ -193,21 +158,28 @@ def _pages(access: Access, scope: str, address: str, kind: str) -> Iterable[Plat
         if address in seen or len(seen) == _MOST_PAGES:
             raise PlatformFailedError(message("The pages of the platform do not end."))
         seen.add(address)
-        page = ask(access.client, PlatformQuestion(address, "GET", _headers(access, scope, kind)))
+        page = _page(access, scope, address, kind)
         yield page
         address = page.next_page
 
 
-def _post(access: Access, scope: str, address: str, kind: str, sent: object) -> PlatformAnswer:
+def _page(access: Access, scope: str, address: str, kind: str) -> PlatformAnswer:
+    question = PlatformQuestion(address, "GET", {"Accept": kind})
+    return ask_with_access(access, scope, lambda: question)
+
+
+def _post(
+    access: Access, scope: str, address: str, kind: str, sent: Callable[[], Mapping[str, Any]]
+) -> PlatformAnswer:
     if not is_of_platform(access.platform, address):
         raise PlatformFailedError(message("The platform named an address that is not by https."))
-    headers = {**_headers(access, scope, kind), "Content-Type": kind}
-    body = json.dumps(sent, ensure_ascii=False, allow_nan=False).encode()
-    return ask(access.client, PlatformQuestion(address, "POST", headers, body=body))
 
+    def made() -> PlatformQuestion:
+        body = json.dumps(sent(), ensure_ascii=False, allow_nan=False).encode()
+        headers = {"Accept": kind, "Content-Type": kind}
+        return PlatformQuestion(address, "POST", headers, body=body)
 
-def _headers(access: Access, scope: str, kind: str) -> dict[str, str]:
-    return {"Authorization": f"Bearer {access.tokens[scope]}", "Accept": kind}
+    return ask_with_access(access, scope, made)
 
 
 def _below(address: str, name: str) -> str:

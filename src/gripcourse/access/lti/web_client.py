@@ -1,9 +1,13 @@
 """Asking a platform: bounded in time and size, never led elsewhere."""
 
 import json
+import math
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass
+from datetime import UTC, datetime
+from email.utils import parsedate_to_datetime
+from http import HTTPStatus
 from typing import Any, Final
 from urllib.parse import urljoin
 
@@ -12,13 +16,16 @@ from anyio import fail_after
 from anyio.from_thread import BlockingPortal, start_blocking_portal
 
 from gripcourse.access.lti.platforms import is_safe
-from gripcourse.access.lti.refused import PlatformFailedError
+from gripcourse.access.lti.refused import PlatformFailedError, PlatformFailure
+from gripcourse.access.lti.unreached import why_unreached
 from gripcourse.text.words import message
 
 _SECONDS: Final = 10.0
 _SECONDS_OF_SILENCE: Final = 5.0
 _LARGEST: Final = 2_000_000  # bytes; the members of a large course have some hundred thousand
 _DONE: Final = range(200, 300)
+_BROKEN: Final = range(500, 600)
+_BUSY: Final = (HTTPStatus.TOO_MANY_REQUESTS, HTTPStatus.SERVICE_UNAVAILABLE)
 
 
 @dataclass(frozen=True, slots=True)
@@ -101,11 +108,10 @@ def ask(client: PlatformClient, asked: PlatformQuestion) -> PlatformAnswer:
         raise PlatformFailedError(message("The platform named an address that is not by https."))
     try:
         return client.portal.call(_answered, client, asked)
-    except TimeoutError as fault:
-        raise _too_much() from fault
+    except (TimeoutError, httpx2.ReadTimeout, httpx2.WriteTimeout) as fault:
+        raise _too_much(PlatformFailure.AWAY) from fault
     except (httpx2.HTTPError, httpx2.InvalidURL) as fault:
-        said = message("The platform cannot be reached: {fault}.", fault=type(fault).__name__)
-        raise PlatformFailedError(said) from fault
+        raise why_unreached(fault, asked.url) from fault
 
 
 async def _answered(client: PlatformClient, asked: PlatformQuestion) -> PlatformAnswer:
@@ -119,8 +125,7 @@ async def _answered(client: PlatformClient, asked: PlatformQuestion) -> Platform
         ) as response:
             body = await _bounded(response)
     if response.status_code not in _DONE:
-        status = str(response.status_code)
-        raise PlatformFailedError(message("The platform answered {status}.", status=status))
+        raise _not_done(response)
     return PlatformAnswer(_plain(body), _next_page(response, asked.url))
 
 
@@ -145,8 +150,38 @@ def _next_page(response: httpx2.Response, asked: str) -> str:
         raise PlatformFailedError(said) from fault
 
 
-def _too_much() -> PlatformFailedError:
-    return PlatformFailedError(message("The platform answered too much or too slowly."))
+def _too_much(failure: PlatformFailure = PlatformFailure.REFUSED) -> PlatformFailedError:
+    said = message("The platform answered too much or too slowly.")
+    return PlatformFailedError(said, failure)
+
+
+def _not_done(response: httpx2.Response) -> PlatformFailedError:
+    status = response.status_code
+    failure = PlatformFailure.REFUSED
+    if status in _BUSY:
+        failure = PlatformFailure.BUSY
+    elif status in _BROKEN:
+        failure = PlatformFailure.BROKEN
+    elif status == HTTPStatus.UNAUTHORIZED:
+        failure = PlatformFailure.UNKNOWN
+    said = message("The platform answered {status}.", status=str(status))
+    pause = _pause(response.headers.get("retry-after", ""))
+    return PlatformFailedError(said, failure, status, pause)
+
+
+def _pause(written: str) -> float | None:
+    """Read after how many seconds to come again: they stand there, or a date does."""
+    try:
+        seconds = float(written)
+    except ValueError:
+        try:
+            moment = parsedate_to_datetime(written)
+        except ValueError:
+            return None
+        if moment.tzinfo is None:
+            return None
+        seconds = (moment - datetime.now(UTC)).total_seconds()
+    return max(seconds, 0.0) if math.isfinite(seconds) else None
 
 
 def _plain(body: bytes) -> Any:  # noqa: ANN401 (whatever JSON holds)

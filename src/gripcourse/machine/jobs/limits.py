@@ -13,13 +13,14 @@ import signal
 import sys
 import threading
 import time
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from multiprocessing.process import BaseProcess
 from pathlib import Path
 from types import FrameType
 
+from gripcourse.machine.jobs.room import start_if_there_is_room
 from gripcourse.text.words import Message, message
 
 _MEBIBYTE = 1024**2
@@ -69,6 +70,26 @@ def bind_worker(limits: Limits) -> None:
         except (OSError, ValueError):
             # macOS knows the limit and does not keep it; `memory_notice` has said so.
             return
+
+
+def limits_of_system() -> Mapping[int, int]:
+    """Return how far the system lets this process go now, by the numbers of limits that are set.
+
+    A process that was started earlier, by which workers are started, may be allowed more.
+    """
+    if sys.platform == "win32":
+        return {}
+    import resource  # noqa: PLC0415 (exists on Unix only)
+
+    kinds = (resource.RLIMIT_AS, resource.RLIMIT_DATA, resource.RLIMIT_FSIZE, resource.RLIMIT_CPU)
+    found = {kind: resource.getrlimit(kind)[0] for kind in kinds}
+    return {kind: soft for kind, soft in found.items() if soft != resource.RLIM_INFINITY}
+
+
+def keep_within(found: Mapping[int, int]) -> None:
+    """Let this process go no further than another one may."""
+    for kind, soft in found.items():
+        _lower(kind, soft)
 
 
 def system_memory_limit() -> int | None:
@@ -200,7 +221,7 @@ def _die_with_parent() -> None:
     """
     parent = multiprocessing.parent_process()
     if parent is not None:
-        threading.Thread(target=_end_after, args=(parent,), daemon=True).start()
+        start_if_there_is_room(threading.Thread(target=_end_after, args=(parent,), daemon=True))
     if sys.platform == "linux":
         import ctypes  # noqa: PLC0415 (for this alone)
 

@@ -24,7 +24,8 @@ from multiprocessing.shared_memory import SharedMemory
 from typing import Any, Final, Protocol, TypeAlias
 
 from gripcourse.machine.file_limits import demand_file_of
-from gripcourse.machine.jobs.limits import Limits
+from gripcourse.machine.jobs.limits import Limits, keep_within, limits_of_system
+from gripcourse.machine.jobs.room import demand_room
 
 Initializer: TypeAlias = Callable[..., None]
 
@@ -66,10 +67,11 @@ class Pool:
 
 
 def _processes(workers: int, first: Initializer, arguments: tuple[Any, ...]) -> Executor:
+    demand_room()
     most = _MOST_ON_WINDOWS if sys.platform == "win32" else workers
     # What a worker is started with goes through a pipe that nobody empties if it ends too early:
     # more than fits in there would be waited for in vain.
-    packed = pickle.dumps((dict(os.environ), first, arguments))
+    packed = pickle.dumps((dict(os.environ), limits_of_system(), first, arguments))
     demand_file_of(len(packed))
     memory = SharedMemory(create=True, size=len(packed))
     _content(memory)[: len(packed)] = packed
@@ -106,8 +108,9 @@ def _begin(name: str, size: int) -> None:
     memory = SharedMemory(name)
     packed = bytes(_content(memory)[:size])
     memory.close()
-    environment, first, arguments = pickle.loads(packed)  # noqa: S301 (packed by who started this)
-    # What it is a fork of may have been started in another one.
+    environment, allowed, first, arguments = pickle.loads(packed)  # noqa: S301 (packed by who started this)
+    # What it is a fork of may have been started in another one, and with other limits.
+    keep_within(allowed)
     os.environ.clear()
     os.environ.update(environment)
     first(*arguments)

@@ -7,12 +7,12 @@ asks again: a script of somebody who has not heard of that may read a table.
 
 import atexit
 import pickle
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from concurrent.futures import ThreadPoolExecutor
 from typing import TYPE_CHECKING, Any, Final, TypeVar
 
 from gripcourse.machine.jobs.child import DIED, GROWN, NOT_ANSWERED, ask, end, start
-from gripcourse.machine.jobs.limits import Limits
+from gripcourse.machine.jobs.limits import Limits, limits_of_system
 from gripcourse.machine.jobs.lost import Lost
 from gripcourse.machine.jobs.work import Task
 
@@ -27,8 +27,9 @@ Result = TypeVar("Result")
 # with the thread that started it, and the threads of a server come and go.
 _KEEPER: Final = ThreadPoolExecutor(1, "keeper of warm workers")
 _TO_GET_READY: Final = 10.0  # seconds
-# What is kept between two calls: one worker for each set of limits; only the keeper touches it.
-_WARM: Final[dict[Limits, "subprocess.Popen[bytes]"]] = {}
+# What is kept between two calls: one worker for each set of limits, with what the system allowed
+# this process when it was started; only the keeper touches it.
+_WARM: Final[dict[Limits, tuple["subprocess.Popen[bytes]", Mapping[int, int]]]] = {}
 
 
 def do_apart(
@@ -77,9 +78,12 @@ def start_early(work: Callable[[None, None], object], limits: Limits) -> None:
 
 def _done(packed: bytes, limits: Limits, seconds: float) -> Any | Lost:  # noqa: ANN401 (whatever it returns)
     """Do a job; once more where the worker had died of something else before."""
+    allowed = limits_of_system()
+    if limits in _WARM and _WARM[limits][1] != allowed:
+        _dismiss(limits)
     tries = 2 if limits in _WARM else 1
     for _ in range(tries):
-        worker = _WARM.get(limits) or _WARM.setdefault(limits, start(limits))
+        worker, *_ = _WARM.get(limits) or _WARM.setdefault(limits, (start(limits), allowed))
         try:
             outcome, grown = ask(worker, packed, seconds)
         except NOT_ANSWERED:
@@ -92,7 +96,8 @@ def _done(packed: bytes, limits: Limits, seconds: float) -> Any | Lost:  # noqa:
 
 
 def _dismiss(limits: Limits) -> None:
-    end(_WARM.pop(limits))
+    worker, _ = _WARM.pop(limits)
+    end(worker)
 
 
 @atexit.register

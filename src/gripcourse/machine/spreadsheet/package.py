@@ -214,13 +214,15 @@ class Package:
         """Return the part of every sheet by its title; a sheet without a part is left out.
 
         Raises:
-            ValueError: two sheets have one title: programs disagree which of them is meant.
+            ValueError: two sheets have one title, or two parts are called the same: programs
+                disagree which of them is meant.
         """
-        parts = {
-            one.identifier: one.part
-            for one in self.related(workbook)
-            if one.kind == "worksheet" and self.has(one.part)
-        }
+        parts: dict[str, str] = {}
+        for one in self.related(workbook):
+            if one.kind != "worksheet" or not self.has(one.part):
+                continue
+            if parts.setdefault(one.identifier, one.part) != one.part:
+                raise ValueError(one.identifier)
         sheets: dict[str, str] = {}
         for element in self.root(workbook).iter():
             part = parts.get(_attribute(element, "id") or "")
@@ -281,7 +283,10 @@ def _ended(parser: "XMLPullParser[Element]") -> Iterator[Element]:
 
 def part_name(member: str) -> str:
     """Return what the name of a member means."""
-    return member.replace("\\", "/").removeprefix("./").lstrip("/").lower()
+    name = member.replace("\\", "/")
+    if "./" in name or "//" in name:
+        name = posixpath.normpath(name) + "/" * name.endswith("/")
+    return name.lstrip("/").lower()
 
 
 def _attribute(element: Element, name: str) -> str | None:

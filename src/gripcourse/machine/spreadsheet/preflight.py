@@ -38,6 +38,24 @@ _WORKBOOK: Final = "/workbook.xml"
 _OLE: Final = b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1"
 _ENCRYPTED: Final = "EncryptedPackage".encode("utf-16-le")
 _PICTURES: Final = (b"\x89PNG", b"\xff\xd8\xff", b"GIF8", b"II*\0", b"MM\0*")
+# Telephones' own: the name of the form stands behind four bytes of size.
+_PICTURES_BEHIND: Final = ((4, b"ftyphei"), (4, b"ftypmif1"), (4, b"ftypavif"), (8, b"WEBP"))
+_ARCHIVES: Final = (b"Rar!\x1a\x07", b"7z\xbc\xaf\x27\x1c")
+# What a browser or a file manager shows as the document, and is none: a link to it in a cloud.
+_LINKS: Final = (b"[internetshortcut]", b'{"url"', b'{"doc_id"', b"bplist00", b"l\0\0\0\1\x14\2\0")
+_PAGES: Final = (
+    *(
+        b"<html",
+        b"<!doctype html",
+        b"<table",
+        b"<?xml",
+        b"<meta",
+        b"<head",
+        b"<!--",
+        b"mime-version",
+    ),
+)
+_RICH_TEXT: Final = b"{\\rtf"
 _CONTROL: Final = re.compile(rb"[\0-\x08\x0e-\x1f]")  # bytes that no text has
 
 
@@ -125,8 +143,12 @@ def _check_magic(data: bytes) -> None:
         return
     if data.startswith(b"%PDF"):
         raise RefusedError(WhyRefused.PDF)
-    if data.startswith(_PICTURES):
+    if data.startswith(_PICTURES) or any(data.startswith(one, at) for at, one in _PICTURES_BEHIND):
         raise RefusedError(WhyRefused.PICTURE)
+    if data.startswith(_ARCHIVES):
+        raise RefusedError(WhyRefused.ARCHIVE)
+    if not any(data):  # a disk kept the length of what it never got
+        raise RefusedError(WhyRefused.DAMAGED)
     raise RefusedError(_about_text(data[:_CHUNK]))
 
 
@@ -137,8 +159,12 @@ def _about_ole(data: bytes) -> WhyRefused:
 def _about_text(beginning: bytes) -> WhyRefused:
     """Tell a web page and a text table from other bytes."""
     start = beginning.lstrip(b"\xef\xbb\xbf \t\r\n").lower()
-    if start.startswith((b"<html", b"<!doctype html", b"<table", b"<?xml", b"<meta", b"<head")):
+    if start.startswith(_PAGES):
         return WhyRefused.WEB_PAGE
+    if start.startswith(_LINKS):
+        return WhyRefused.LINK
+    if start.startswith(_RICH_TEXT):
+        return WhyRefused.TEXT_DOCUMENT
     return WhyRefused.NO_WORKBOOK if _CONTROL.search(beginning) else WhyRefused.DELIMITED_TEXT
 
 
@@ -162,6 +188,8 @@ def _check_kind(names: set[str], archive: zipfile.ZipFile) -> None:
         raise RefusedError(WhyRefused.OPEN_DOCUMENT)
     if "xl/workbook.bin" in names:
         raise RefusedError(WhyRefused.XLSB)
+    if "index/document.iwa" in names:
+        raise RefusedError(WhyRefused.NUMBERS)
     if "word/document.xml" in names:
         raise RefusedError(WhyRefused.TEXT_DOCUMENT)
     if not any(name.startswith("xl/") for name in names):

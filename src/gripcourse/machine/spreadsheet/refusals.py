@@ -10,6 +10,7 @@ from gripcourse.text.words import Message, message
 class WhyRefused(StrEnum):
     """Why a file was refused; the value stands in JSON and in tables."""
 
+    ARCHIVE = "archive"
     DAMAGED = "damaged"
     DELIMITED_TEXT = "plain_text"
     EMPTY = "empty"
@@ -17,9 +18,11 @@ class WhyRefused(StrEnum):
     FOREIGN_CONTENT = "foreign_content"
     GONE = "cannot_be_opened"
     INVALID_XML = "invalid_xml"
+    LINK = "link"
     LOCK_FILE = "lock_file"
     MERGED = "merged"
     NO_WORKBOOK = "no_workbook"
+    NUMBERS = "numbers"
     OLD_FORMAT = "xls"
     OPEN_DOCUMENT = "ods"
     PART_MISSING = "part_missing"
@@ -37,6 +40,9 @@ class WhyRefused(StrEnum):
 _COPY: Final = message("Copy the answers into the workbook that was issued and send that.")
 
 REASONS: Final[Mapping[WhyRefused, Message]] = {
+    WhyRefused.ARCHIVE: message(
+        "The file is an archive, whatever its name says. Unpack it and send the .xlsx workbook."
+    ),
     WhyRefused.DAMAGED: message(
         "The file is damaged: it was not copied or sent as a whole. Send it again."
     ),
@@ -60,6 +66,10 @@ REASONS: Final[Mapping[WhyRefused, Message]] = {
     WhyRefused.INVALID_XML: message(
         "Open the answer workbook in a spreadsheet program and save it again."
     ),
+    WhyRefused.LINK: message(
+        "The file is only a link to a document that lies elsewhere. Download the document as an "
+        ".xlsx workbook and send that."
+    ),
     WhyRefused.LOCK_FILE: message(
         "This is the lock file of a workbook that is open. Close the spreadsheet program "
         "and send the workbook itself."
@@ -70,6 +80,9 @@ REASONS: Final[Mapping[WhyRefused, Message]] = {
     ),
     WhyRefused.NO_WORKBOOK: message(
         "The file is not a workbook. Send the .xlsx file that was issued."
+    ),
+    WhyRefused.NUMBERS: message(
+        "The file is a document of Apple Numbers. Export it as an .xlsx workbook."
     ),
     WhyRefused.OLD_FORMAT: message(
         "The file has the old .xls format. Save it as an .xlsx workbook."

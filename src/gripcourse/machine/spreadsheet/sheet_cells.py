@@ -28,6 +28,8 @@ class StoredCell(NamedTuple):
 
 _ESCAPED: Final = re.compile(r"_x([0-9A-Fa-f]{4})_")
 _NO_SIGN: Final = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd]")  # that may stand in XML
+# The letter o and its Cyrillic twin above the line are how people without a degree sign write it.
+_ABOVE: Final = str.maketrans("0123456789+-−oоOО", "⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻⁻°°°°")
 EMPTY: Final = StoredCell("n", None, 0, "")
 
 
@@ -141,12 +143,26 @@ def _stored(cell: Element, space: str) -> StoredCell:
 
 
 def text_of(item: Element) -> str:
-    """Join the pieces of a text; how it is pronounced is not part of it."""
+    """Join the pieces of a text; how it is pronounced is not part of it.
+
+    What is raised stays raised: 10 with a raised 6 is a million, not a hundred and six.
+    """
     space = namespace(item)
-    pieces = [item, *item.findall(f"{space}r")]
-    return _unescaped(
-        "".join(one.text or "" for piece in pieces for one in piece.findall(f"{space}t"))
-    )
+    plain = _text_in(item, space)
+    pieces = item.findall(f"{space}r")
+    return plain + "".join([_raised(_text_in(one, space), one, space) for one in pieces])
+
+
+def _text_in(piece: Element, space: str) -> str:
+    return _unescaped("".join([one.text or "" for one in piece.findall(f"{space}t")]))
+
+
+def _raised(text: str, piece: Element, space: str) -> str:
+    """Write what a piece of a text shows above the line in the signs that stand there."""
+    place = piece.find(f"{space}rPr/{space}vertAlign")
+    if place is None or place.get("val") != "superscript":
+        return text
+    return text.translate(_ABOVE)
 
 
 def _unescaped(text: str) -> str:

@@ -2,17 +2,16 @@
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from datetime import datetime
 from enum import StrEnum
+from typing import Final
 
+from gripcourse.access.lti.given_access import Access, open_access
 from gripcourse.access.lti.launch import LINE_ITEM_SCOPE, SCORE_SCOPE
 from gripcourse.access.lti.model import Bond, PlatformPlace, SentScore
 from gripcourse.access.lti.platforms import Platform
-from gripcourse.access.lti.refused import PlatformFailedError
-from gripcourse.access.lti.services import Access, Score, line_item_of, open_access, send_score
+from gripcourse.access.lti.refused import PlatformFailedError, PlatformFailure
+from gripcourse.access.lti.services import Score, line_item_of, send_score
 from gripcourse.access.lti.store import LtiStore
-from gripcourse.access.lti.tool_key import read_tool_keys
-from gripcourse.access.lti.web_client import PlatformClient
 from gripcourse.course.model import Course
 from gripcourse.errors import Problem, UsageError
 from gripcourse.exports.report_result import ReportResult
@@ -22,7 +21,12 @@ from gripcourse.usecases.serving.desk import DeskContext
 from gripcourse.usecases.serving.lti import store_of
 from gripcourse.variants.model import Issued
 
-_DECIMALS = 4  # more of them are noise of the last bits, and would count as a change
+_DECIMALS: Final = 4  # more of them are noise of the last bits, and would count as a change
+
+_MOST_UNANSWERED: Final = 3
+"""Students in a row of whom a platform does not answer; each has been waited for a minute."""
+
+_NO_ANSWER: Final = frozenset({PlatformFailure.AWAY, PlatformFailure.BUSY})
 
 
 class ScoreFate(StrEnum):
@@ -33,15 +37,28 @@ class ScoreFate(StrEnum):
     NO_RESULT = "no_result"  # nothing is published, or the file could not be judged
     NOT_SEEN = "not_seen"  # nobody came by the platform who is this student
     FAILED = "failed"
+    NOT_TRIED = "not_tried"  # the platform had stopped answering
+
+
+NOT_SENT: Final = frozenset({ScoreFate.FAILED, ScoreFate.NOT_TRIED})
+"""Fates after which a result is missing on the platform though it should be there."""
 
 
 @dataclass(frozen=True, slots=True)
 class Sending:
-    """What became of a student's result, and why where it failed."""
+    """What became of a student's result.
+
+    Attributes:
+        student: id.
+        fate: what became of it.
+        why: it failed; else None.
+        answered: whether the platform answered, where it was asked.
+    """
 
     student: str
     fate: ScoreFate
     why: Message | None = None
+    answered: bool = True
 
 
 @dataclass(frozen=True, slots=True)
@@ -49,20 +66,24 @@ class ScoreOrder:
     """What an instructor wants to be sent.
 
     Attributes:
-        platform: to which.
         line_item: address of the column; empty where there is only one.
         by: who does it.
     """
 
-    platform: Platform
     line_item: str
     by: str
 
 
-def send_grades(
-    context: DeskContext, client: PlatformClient, wanted: ScoreOrder, now: datetime
-) -> Iterator[Sending]:
+def send_grades(context: DeskContext, access: Access, wanted: ScoreOrder) -> Iterator[Sending]:
     """Send what is published and is not there yet, student by student.
+
+    What the platform took is kept at once, so who stops this loses nothing, and the next time sends
+    what is missing.
+
+    Args:
+        context: the course.
+        access: to the platform; nothing is granted yet.
+        wanted: what to send.
 
     Raises:
         UsageError: nothing is published, nobody opened the assignment there, or several columns
@@ -72,12 +93,11 @@ def send_grades(
     if current(context) is None:
         what, remedy = message("Nothing is published."), message("Publish the results first.")
         raise UsageError([Problem("", "", what, remedy)])
-    store, platform = store_of(context), wanted.platform
-    column = _column(store, wanted)
-    scopes = [SCORE_SCOPE] if column.line_item else [SCORE_SCOPE, LINE_ITEM_SCOPE]
-    access = open_access(client, platform, read_tool_keys(context.course.root), scopes, now)
+    store = store_of(context)
+    column = _column(store, access.platform, wanted.line_item)
+    open_access(access, [SCORE_SCOPE] if column.line_item else [SCORE_SCOPE, LINE_ITEM_SCOPE])
     address = column.line_item or _made(access, column, context)
-    bonds = _bonds(store, platform)
+    bonds, unanswered = _bonds(store, access.platform), 0
     # The same column and the same user: what was sent last is what stands there.
     last = {(one.line_item, one.user): one for one in store.sent()}
     for student, issued in context.register().items():
@@ -91,8 +111,12 @@ def send_grades(
                 yield Sending(student, ScoreFate.NOT_SEEN)
             case [bond] if _is_there(last.get((address, bond.user)), score):
                 yield Sending(student, ScoreFate.UNCHANGED)
+            case [bond] if unanswered == _MOST_UNANSWERED:
+                yield Sending(bond.student, ScoreFate.NOT_TRIED)
             case [bond]:
-                yield _sent(store, access, bond, _Sent(address, score, wanted.by, now))
+                done = _sent(store, access, bond, _Sent(address, score, wanted.by))
+                unanswered = 0 if done.answered else unanswered + 1
+                yield done
             case _:
                 said = message("Several users of the platform are this student.")
                 yield Sending(student, ScoreFate.FAILED, said)
@@ -132,15 +156,15 @@ class _Sent:
     line_item: str
     score: Score
     by: str
-    now: datetime
 
 
 def _sent(store: LtiStore, access: Access, bond: Bond, one: _Sent) -> Sending:
     score = one.score
     try:
-        send_score(access, one.line_item, bond.user, score, one.now)
+        send_score(access, one.line_item, bond.user, score)
     except PlatformFailedError as fault:
-        return Sending(bond.student, ScoreFate.FAILED, fault.said)
+        answered = fault.failure not in _NO_ANSWER
+        return Sending(bond.student, ScoreFate.FAILED, fault.said, answered)
     kept = SentScore(
         issuer=bond.issuer,
         client=bond.client,
@@ -152,7 +176,7 @@ def _sent(store: LtiStore, access: Access, bond: Bond, one: _Sent) -> Sending:
         comment=score.comment,
         final=score.final,
         by=one.by,
-        at=one.now,
+        at=access.clock(),
     )
     store.add_sent(kept)
     return Sending(bond.student, ScoreFate.SENT)
@@ -171,13 +195,12 @@ def _is_there(last: SentScore | None, score: Score) -> bool:
     return last is not None and score == Score(last.points, last.maximum, last.comment, last.final)
 
 
-def _column(store: LtiStore, wanted: ScoreOrder) -> PlatformPlace:
+def _column(store: LtiStore, platform: Platform, line_item: str) -> PlatformPlace:
     """Return the place whose column takes the results; its line item is empty where none is made.
 
     Only places in courses of the platform that are declared now count: who has another course there
     must not get these results into it.
     """
-    platform = wanted.platform
     known = [
         one
         for one in store.places()
@@ -185,8 +208,8 @@ def _column(store: LtiStore, wanted: ScoreOrder) -> PlatformPlace:
         and one.context in platform.contexts
         and (one.line_item or one.line_items)
     ]
-    if wanted.line_item:
-        known = [one for one in known if one.line_item == wanted.line_item]
+    if line_item:
+        known = [one for one in known if one.line_item == line_item]
     if not known:
         what = message("No place in the platform is known that takes grades.")
         remedy = message("Let grades be accepted there, and open the assignment there once.")

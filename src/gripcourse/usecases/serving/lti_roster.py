@@ -1,14 +1,11 @@
 """The roster as a platform knows it: a table that issuing takes."""
 
 from collections.abc import Sequence
-from datetime import datetime
 from pathlib import Path
 
+from gripcourse.access.lti.given_access import Access, open_access
 from gripcourse.access.lti.launch import MEMBERS_SCOPE, Person
-from gripcourse.access.lti.platforms import Platform
-from gripcourse.access.lti.services import open_access, students_of
-from gripcourse.access.lti.tool_key import read_tool_keys
-from gripcourse.access.lti.web_client import PlatformClient
+from gripcourse.access.lti.services import students_of
 from gripcourse.errors import Problem, UsageError
 from gripcourse.exports.csv_text import table_text, text_cell
 from gripcourse.machine.files import write_bytes
@@ -18,15 +15,18 @@ from gripcourse.usecases.serving.desk import DeskContext
 from gripcourse.usecases.serving.lti import store_of
 
 
-def fetch_roster(
-    context: DeskContext, client: PlatformClient, platform: Platform, now: datetime
-) -> tuple[Person, ...]:
+def fetch_roster(context: DeskContext, access: Access) -> tuple[Person, ...]:
     """Return the students of the platform's courses that are declared.
+
+    Args:
+        context: the course.
+        access: to the platform; nothing is granted yet.
 
     Raises:
         UsageError: nobody has opened the assignment there yet, or members are not named.
         PlatformFailedError: the platform names nobody.
     """
+    platform = access.platform
     ours = (platform.issuer, platform.client_id)
     addresses = {
         one.members: None
@@ -37,8 +37,7 @@ def fetch_roster(
         what = message("No place in the platform is known that names its members.")
         remedy = message("Let members be named there, and open the assignment there once.")
         raise UsageError([Problem("", "", what, remedy)])
-    keys = read_tool_keys(context.course.root)
-    access = open_access(client, platform, keys, [MEMBERS_SCOPE], now)
+    open_access(access, [MEMBERS_SCOPE])
     found = {one.user: one for members in addresses for one in students_of(access, members)}
     return tuple(found.values())
 

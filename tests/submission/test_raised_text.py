@@ -1,0 +1,70 @@
+"""What stands above the line in a cell means what it shows: 10 with a raised 6 is a million."""
+
+import pytest
+
+from gripcourse.machine.content import NamedBytes
+from gripcourse.submission.interpret import interpret
+from gripcourse.submission.model import Answer, Reading
+from gripcourse.submission.raw import RawWorkbook
+from gripcourse.submission.read import read_workbook
+from hostile.small_workbook import holding, quantities, replaced
+
+RAISED = '<vertAlign val="superscript"/>'
+LOWERED = '<vertAlign val="subscript"/>'
+
+
+def pieces(*written: tuple[str, str]) -> str:
+    """Write a text of several looks."""
+    return "".join(
+        f'<r><rPr>{look}<sz val="11"/></rPr><t xml:space="preserve">{text}</t></r>'
+        for look, text in written
+    )
+
+
+def answer(data: bytes, name: str) -> Answer:
+    raw = read_workbook(NamedBytes("answers.xlsx", data))
+    assert isinstance(raw, RawWorkbook)
+    return interpret(raw, quantities()).answers[name]
+
+
+@pytest.mark.parametrize(
+    ("written", "meant"),
+    [
+        ([("", "10"), (RAISED, "6")], 1e6),
+        ([("", "2,3·10"), (RAISED, "3")], 2300.0),
+        ([("", "2·10"), (RAISED, "-3")], 0.002),
+        ([("", "2·10"), (RAISED, "−3")], 0.002),
+        ([("", "1,5·10"), (RAISED, "3"), ("", " Н")], 1500.0),
+        ([("", "12"), (RAISED, ""), ("", "3")], 123.0),
+        ([("", "12"), (LOWERED, "3")], 123.0),
+    ],
+)
+def test_a_raised_number_is_a_power(written: list[tuple[str, str]], meant: float) -> None:
+    found = answer(holding(f'<c r="E5" t="inlineStr"><is>{pieces(*written)}</is></c>'), "force")
+    assert found.value == pytest.approx(meant)
+
+
+def test_so_it_is_in_the_table_of_texts() -> None:
+    shared = replaced(
+        "xl/sharedStrings.xml",
+        "<r><t>63</t></r><r><t> мм</t></r>",
+        pieces(("", "10"), (RAISED, "2")),
+    )
+    assert answer(shared, "bore").value == 100.0
+
+
+@pytest.mark.parametrize("sign", ["o", "о", "O", "О"])
+def test_a_raised_letter_o_is_a_degree(sign: str) -> None:
+    cell = f'<c r="E9" t="inlineStr"><is>{pieces(("", "30"), (RAISED, sign))}</is></c>'
+    found = answer(
+        replaced("xl/worksheets/sheet1.xml", '<c r="E9" s="2"><v>45000</v></c>', cell), "angle"
+    )
+    assert found.value == 30.0
+
+
+def test_a_raised_zero_may_be_a_degree_or_a_power_and_is_no_number() -> None:
+    cell = f'<c r="E9" t="inlineStr"><is>{pieces(("", "30"), (RAISED, "0"))}</is></c>'
+    found = answer(
+        replaced("xl/worksheets/sheet1.xml", '<c r="E9" s="2"><v>45000</v></c>', cell), "angle"
+    )
+    assert found.reading is Reading.UNREADABLE
