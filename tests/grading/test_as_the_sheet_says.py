@@ -38,8 +38,8 @@ def test_a_gain_follows_from_ones_own_forces(table: "tuple[Case, ...]") -> None:
             continue
         values = {**case.given, **case.answers}
         force = values["grip_force"] * values["force_ratio"] * values["mechanism_efficiency"]
-        answers = case.following(drive_force=force)
-        assert answers["force_gain"] == pytest.approx(values["grip_force"] / force)
+        gain = values["grip_force"] / force
+        answers = {**case.following(drive_force=force), "force_gain": gain}
         assert case.without_errata.lost(answers) == {"drive_force"}, case.label
         met += 1
     assert met
@@ -50,3 +50,14 @@ def test_the_efficiency_over_the_ratio_is_the_gain_too(hydraulic: "Case") -> Non
     wrong = hydraulic.following(drive_force=2.5 * hydraulic.reference["drive_force"])
     answers = {**wrong, "force_gain": hydraulic.reference["force_gain"]}
     assert hydraulic.lost(answers) == {"drive_force"}
+
+
+def test_an_efficiency_follows_from_ones_own_ratios(table: "tuple[Case, ...]") -> None:
+    """That of a screw is 2·u/j too, which a wrong lead angle does not change any more."""
+    case = next(one for one in table if one.plan.scheme.id == "screw")
+    wrong = case.following(lead_angle=3 * case.reference["lead_angle"])
+    efficiency = 2 * wrong["velocity_ratio"] / wrong["torque_ratio"]
+    assert efficiency != pytest.approx(wrong["mechanism_efficiency"], rel=0.1)
+    ratio = {name: wrong[name] for name in ("lead_angle", "torque_ratio")}
+    answers = case.following(**ratio, mechanism_efficiency=efficiency)
+    assert case.lost(answers) == {"lead_angle"}
