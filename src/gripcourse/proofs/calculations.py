@@ -119,14 +119,18 @@ def differences(one: PrintedCalculation) -> Iterator[Problem]:
 
 
 def _other_routes(plan: Plan, values: Mapping[str, float]) -> Iterator[Problem]:
-    """Yield the declared routes that do not lead to the value of their quantity."""
+    """Yield the declared routes that do not lead to the value of their quantity.
+
+    A published case gives no more than what it needs: there either may have no value.
+    """
     known = to_si(plan, values)
     for quantity in plan.answered:
         if quantity.route is None:
             continue
         unit = factor(quantity.unit)
         found = evaluate_number(quantity.route, quantity.unit, known, plan.columns) / unit
-        if not math.isclose(found, values[quantity.id], rel_tol=_ONE_VALUE):
+        both = math.isfinite(found) and math.isfinite(values[quantity.id])
+        if both and not math.isclose(found, values[quantity.id], rel_tol=_ONE_VALUE):
             yield Problem(
                 quantity.file,
                 f"quantity.{quantity.id}.route",
