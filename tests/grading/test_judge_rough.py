@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 import pytest
 
 from gripcourse.course.quantity import Kind
+from gripcourse.grading.model import Against
 from gripcourse.grading.outcome import Outcome
 from gripcourse.submission.model import Answer, Reading
 
@@ -38,6 +39,30 @@ def test_what_was_computed_from_the_number_in_the_calculator_still_counts(case: 
     findings = case.findings({**wrong, "grip_force": rough})
     assert findings["grip_force"].outcome is Outcome.ROUGH
     assert findings["drive_force"].outcome is Outcome.CARRIED
+
+
+def test_a_number_that_rounding_made_right_was_computed_with_as_it_was(case: "Case") -> None:
+    wrong = case.following(pitch_radius=1.04 * case.reference["pitch_radius"])
+    right = case.reference["force_ratio"]
+    answers = {**wrong, "force_ratio": typed("force_ratio", right, 0.1 * right)}
+    findings = case.findings(answers)
+    assert findings["force_ratio"].outcome is Outcome.CORRECT
+    assert findings["drive_force"].outcome is Outcome.CARRIED
+    assert case.lost({**wrong, "force_ratio": right}) > {"pitch_radius"}, "with all its digits"
+
+
+def test_what_is_rounded_from_ones_own_number_earns_though_the_right_one_is_far(
+    case: "Case",
+) -> None:
+    """Cut off, it would be the right number too, and would earn nothing."""
+    own = {**case.answers, "lifting_load": 0.955 * case.reference["lifting_load"]}
+    follows = case.following(lifting_load=own["lifting_load"])["grip_force"]
+    unit = 0.08 * case.reference["grip_force"]
+    rough = typed("grip_force", 0.985 * follows, unit)
+    finding = case.findings({**own, "grip_force": rough})["grip_force"]
+    assert abs(rough.value or 0) < 0.95 * case.reference["grip_force"]
+    assert (finding.outcome, finding.against) == (Outcome.ROUGH, Against.OWN_INPUTS)
+    assert finding.points == pytest.approx(finding.max_points * case.policy.rough_credit)
 
 
 def test_a_number_with_all_its_digits_is_not_rough(case: "Case") -> None:

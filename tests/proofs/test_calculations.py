@@ -81,3 +81,14 @@ def test_a_value_breaks_a_calculation_where_a_printed_number_depends_on_it(
     assert found["grip_force"] == (False, True, True)
     assert found["overall_length"] == (False,)
     assert found["mass"] == (False,)  # it is known: no formula gives it
+
+
+def test_a_route_that_leads_elsewhere_is_a_problem(calculation: PrintedCalculation) -> None:
+    plan = calculation.plan
+    gain = plan.quantities["force_gain"]
+    assert gain.route is not None
+    lost = replace(gain, route=plan.quantities["drive_force"].formula)
+    answered = tuple(lost if one.id == lost.id else one for one in plan.answered)
+    [problem] = differences(replace(calculation, plan=replace(plan, answered=answered)))
+    assert problem.key == "quantity.force_gain.route"
+    assert "The route gives" in str(problem.what)

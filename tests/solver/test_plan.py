@@ -60,7 +60,7 @@ def test_constants_of_a_plan_are_those_of_its_convention(course: Course, plan: P
 
 def test_a_convention_decides_the_formula_and_its_inputs(course: Course, plan: Plan) -> None:
     guide = make_plan(course, SCHEME, plan.options, Convention.AS_PRINTED)
-    assert plan.inputs["force_ratio"] == ("force_ratio_at_min",)
+    assert plan.inputs["force_ratio"] == ("force_ratio_at_max", "force_ratio_at_min")
     assert guide.inputs["force_ratio"] == ("arm_length", "arm_angle_open", "pitch_radius")
     formula = guide.reference_formula("bearing_stress")
     assert formula is not None

@@ -92,7 +92,7 @@ def _follows(
     That is the formula of something that is used, or of the quantity itself where this is a slip.
     """
     roots = [quantities[name] for name in formula.names if name in quantities]
-    if key.startswith(("slip.", "alternative.", "as_printed.")):
+    if key.startswith(("route", "slip.", "alternative.", "as_printed.")):
         roots.append(one)
     for root in roots:
         main = root.formula
@@ -114,6 +114,8 @@ def _keyed_formulas(one: Quantity) -> Iterator[tuple[str, Formula, bool]]:
     """Yield each formula with its key and whether it must be a condition."""
     if one.formula is not None:
         yield _FORMULA_KEY.get(one.kind, "formula"), one.formula, one.kind is Kind.VERDICT
+    if one.route is not None:
+        yield "route", one.route, False
     if one.valid is not None:
         yield "valid", one.valid, True
     if one.choice is not None and one.choice.condition is not None:

@@ -172,6 +172,8 @@ class Quantity:
         source: where it comes from.
         formula: computes a FORMULA or PICK; the condition of a VERDICT; for a CHOICE the value
             that the chosen entry must not be below; None for the others.
+        route: what gives the same value by another way, from other answers; None for none. Who
+            has a wrong number on one way may have gone the other.
         choice: the rule of a CHOICE, None for the others.
         value: of a CONSTANT, in `unit`; None for the others.
         valid: guard: only a student's value that satisfies it is carried on; None for no guard.
@@ -204,6 +206,7 @@ class Quantity:
     one_end: Texts | None
     source: Source
     formula: Formula | None
+    route: Formula | None
     choice: Choice | None
     value: float | None
     valid: Formula | None
@@ -244,7 +247,7 @@ class Quantity:
 
     def formulas(self) -> Iterator[Formula]:
         """Yield every formula that the declaration holds."""
-        for one in (self.formula, self.valid):
+        for one in (self.formula, self.route, self.valid):
             if one is not None:
                 yield one
         if self.choice is not None and self.choice.condition is not None:

@@ -136,6 +136,12 @@ _JUDGED: Final = {
     ),
 }
 _COMPUTED: Final = {"formula": text("What computes it.", required=True)}
+_BY_ROUTE: Final = {
+    "route": text(
+        "Another way to the same value, from other answers: F/P for η/i. What follows by it from "
+        "the student's own numbers counts as what follows by the formula."
+    )
+}
 _GIVEN: Final = {
     "default": number("What it is where an example or a calculation by hand states no other."),
     "range": table("What variants draw it from; the space of a scheme may replace it.", RANGE),
@@ -159,7 +165,7 @@ _PLAIN: Final = {**_COMMON, "unit": text("Empty, or left out.")}
 
 KEYS: Final[Mapping[str, Mapping[str, Key]]] = {
     Kind.GIVEN: _COMMON | _BOUNDED | _GIVEN,
-    Kind.FORMULA: _COMMON | _BOUNDED | _JUDGED | _COMPUTED,
+    Kind.FORMULA: _COMMON | _BOUNDED | _JUDGED | _COMPUTED | _BY_ROUTE,
     Kind.CHOICE: _COMMON | _BOUNDED | _JUDGED | _CHOICE,
     Kind.PICK: _COMMON | _BOUNDED | _JUDGED | _COMPUTED,
     Kind.VERDICT: _PLAIN

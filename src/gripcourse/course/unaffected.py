@@ -21,6 +21,7 @@ _NO_NUMBERS: Final = frozenset(
     {
         *("title", "symbol", "source", "explain", "decides", "note_decides", "formula_decides"),
         *("one_end", "section", "tolerance", "range", "rubric", "slip", "alternative"),
+        "route",
     }
 )
 """Keys of a quantity that leave its value as it is."""
@@ -119,7 +120,7 @@ def _without(course: Course, scheme: Scheme, left_out: Collection[str]) -> Cours
 
     def kept(declared: Mapping[str, Quantity]) -> dict[str, Quantity]:
         return {
-            name: replace(one, valid=None, slips=(), alternatives=())
+            name: replace(one, route=None, valid=None, slips=(), alternatives=())
             for name, one in declared.items()
             if name not in left_out
         }

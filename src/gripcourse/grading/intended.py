@@ -13,6 +13,7 @@ from typing import Final
 
 from gripcourse.course.quantity import Kind
 from gripcourse.grading.comparison import Comparison
+from gripcourse.grading.judge_rough import is_rounded_from
 from gripcourse.grading.submission_case import (
     GradingCase,
     JudgedAnswer,
@@ -106,12 +107,22 @@ def _intended(
     comparison, traits = one.comparison, one.judgement.outcome.traits
     if comparison is None or not math.isfinite(comparison.expected):
         return None
-    rounded = traits.right and not traits.equals_reference and not traits.follows
+    coarse = traits.right and not traits.equals_reference and not traits.follows
+    rounded = coarse or (traits.equals_reference and _is_right_by_rounding(comparison))
     # A number that was written into the wrong cell was not the one that was computed with.
     in_wrong_cell = traits.mistake and one.judgement.elsewhere
     if rounded or in_wrong_cell or (traits.mistake and _is_used_rightly(case, comparison, judged)):
         return replace(comparison.answer, value=comparison.expected)
     return _written_wrongly(case, one, comparison) if traits.named else None
+
+
+def _is_right_by_rounding(comparison: Comparison) -> bool:
+    """Tell whether a number lost the digits by which it would have been another than the right one.
+
+    A ratio of 2.08 that follows from an earlier mistake is written as 2, where 2.02 is right.
+    """
+    follows = comparison.follows.nearest(comparison.value)
+    return not comparison.fits(follows) and is_rounded_from(comparison, follows)
 
 
 def _written_wrongly(

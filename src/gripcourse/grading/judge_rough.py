@@ -19,17 +19,21 @@ def judge_rough(comparison: Comparison) -> Judgement | None:
         comparison: of an answer that lies in no band.
 
     Returns:
-        What is concluded; None where the last typed digit does not explain the difference, or the
-        answer is one that is taken as it stands.
+        What is concluded from the reference or from the student's own numbers, whichever earns
+        more; None where the last typed digit does not explain the difference, or the answer is one
+        that is taken as it stands.
     """
     value = comparison.value
     own = comparison.follows.nearest(value)
+    best: Judgement | None = None
     for target, against in ((comparison.reference, Against.REFERENCE), (own, Against.OWN_INPUTS)):
         if is_rounded_from(comparison, target):
             earns = abs(value - target) <= ROUGHEST * abs(target)
             credit = comparison.policy.rough_credit if earns else 0.0
-            return conclude(comparison, Outcome.ROUGH, against, credit, _said(comparison, target))
-    return None
+            said = _said(comparison, target)
+            found = conclude(comparison, Outcome.ROUGH, against, credit, said)
+            best = found if best is None or found.credit > best.credit else best
+    return best
 
 
 def _said(comparison: Comparison, target: float) -> Message:

@@ -49,7 +49,7 @@ def _judge_coarse(comparison: Comparison) -> Judgement | None:
 def _matches(comparison: Comparison) -> Iterator[Judgement]:
     if comparison.fits(comparison.reference) and not _contradicts_itself(comparison):
         yield _conclude(comparison, Outcome.CORRECT, Against.REFERENCE, 1.0, _CORRECT)
-    if _follows(comparison, comparison.follows):
+    if _follows(comparison, comparison.follows) or _follows_by_route(comparison):
         yield _conclude(
             comparison,
             Outcome.CARRIED,
@@ -73,6 +73,12 @@ def _contradicts_itself(comparison: Comparison) -> bool:
 
 def _follows(comparison: Comparison, expected: ExpectedRange) -> bool:
     return comparison.fits(expected.nearest(comparison.value))
+
+
+def _follows_by_route(comparison: Comparison) -> bool:
+    """Tell whether an answer follows from the student's numbers by the other way to it."""
+    route = comparison.quantity.route
+    return route is not None and _follows(comparison, comparison.at_own(route))
 
 
 def _alternatives(comparison: Comparison) -> Iterator[Judgement]:

@@ -9,6 +9,7 @@ import numpy as np
 from gripcourse.course.model import Course
 from gripcourse.course.quantity import Convention
 from gripcourse.errors import Problem
+from gripcourse.formula.evaluate import evaluate_number
 from gripcourse.proofs.model import Proof, ProofKind, ProofResult, concluded
 from gripcourse.proofs.published_cases import PublishedCase
 from gripcourse.solver.plan import Plan, make_plan
@@ -18,6 +19,7 @@ from gripcourse.text.units import factor, unit_text
 from gripcourse.text.words import LANGUAGES, Message, Texts, message
 
 _SAME = 1e-12  # relative: what floating point leaves of an equal number
+_ONE_VALUE = 1e-6  # relative: what two ways to one value may differ by
 _FIGURES = 10  # shown: the expected digits must be seen to differ
 
 
@@ -112,6 +114,33 @@ def differences(one: PrintedCalculation) -> Iterator[Problem]:
                 name=name,
             ),
         )
+    if one.plan.convention is Convention.CORRECTED:
+        yield from _other_routes(one.plan, values)
+
+
+def _other_routes(plan: Plan, values: Mapping[str, float]) -> Iterator[Problem]:
+    """Yield the declared routes that do not lead to the value of their quantity.
+
+    A published case gives no more than what it needs: there either may have no value.
+    """
+    known = to_si(plan, values)
+    for quantity in plan.answered:
+        if quantity.route is None:
+            continue
+        unit = factor(quantity.unit)
+        found = evaluate_number(quantity.route, quantity.unit, known, plan.columns) / unit
+        both = math.isfinite(found) and math.isfinite(values[quantity.id])
+        if both and not math.isclose(found, values[quantity.id], rel_tol=_ONE_VALUE):
+            yield Problem(
+                quantity.file,
+                f"quantity.{quantity.id}.route",
+                message(
+                    "The route gives {found}, the formula {value}.",
+                    found=found,
+                    value=values[quantity.id],
+                ),
+                message("Write a way to the same value, or declare it as an alternative."),
+            )
 
 
 def _unmet(one: PrintedCalculation, values: Mapping[str, float], names: Sequence[str]) -> list[str]:
