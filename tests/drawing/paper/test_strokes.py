@@ -4,7 +4,16 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from gripcourse.drawing.paper.strokes import Box, Line, covered, reach_of, runs_through
+from gripcourse.drawing.paper.strokes import (
+    Arc,
+    Box,
+    Line,
+    covered,
+    on_circle,
+    outside,
+    reach_of,
+    runs_through,
+)
 
 BOX = Box(0.0, 0.0, 4.0, 2.0)
 PLACES = st.integers(-8, 24).map(lambda quarters: quarters / 4)
@@ -38,3 +47,15 @@ def test_a_line_runs_through_boxes_where_it_runs_through_one_of_them() -> None:
     line = Line((-1.0, 1.0), (5.0, 1.0))
     assert not runs_through(line, [])
     assert runs_through(line, [BOX.moved((0.0, 5.0)), BOX])
+
+
+def test_a_plate_whose_corners_lie_on_a_circle_covers_half_of_it() -> None:
+    """Rounding puts such corners a little beside the circle, in each direction differently."""
+    circle = Arc((31.7, 12.3), 4.0)
+    for along in range(360):
+        near = [on_circle(circle.centre, 4.0, along + side) for side in (90.0, -90.0)]
+        middle = on_circle(circle.centre, 50.0, along + 180.0)
+        plate = [*near, *(on_circle(middle, 6.0, along + side) for side in (-90.0, 90.0))]
+        for pieces in (outside(circle, plate), covered(circle, plate)):
+            seen = sum(one.high - one.low for one in pieces if isinstance(one, Arc))
+            assert seen == pytest.approx(180.0, abs=6.0), along

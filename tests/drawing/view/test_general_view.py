@@ -10,6 +10,7 @@ from itertools import combinations, product
 from typing import TYPE_CHECKING
 
 import pytest
+import shapely
 from ezdxf import recover
 
 from gripcourse.course.model import Course
@@ -17,7 +18,7 @@ from gripcourse.course.quantity import Kind
 from gripcourse.course.view import Face, Side
 from gripcourse.drawing.paper.document import LineKind, dxf_bytes
 from gripcourse.drawing.paper.sheet import FORMATS, block_box, corner_box
-from gripcourse.drawing.paper.strokes import Arc, Box, Line, Stroke, outside
+from gripcourse.drawing.paper.strokes import Arc, Box, Line, Stroke, outside, points_of
 from gripcourse.drawing.paper.svg import svg_text
 from gripcourse.drawing.paper.text import Point, read_text
 from gripcourse.drawing.paper.title_block import TitleBlock
@@ -38,6 +39,7 @@ if TYPE_CHECKING:
     from conftest import Draw, Drawn
 
 HALF, NEARLY_HALF = 0.5, 0.42  # of the free field, that all views take
+ROUNDED = 0.25  # mm of the thing: what covers a circle is a polygon
 BY_FACES = 0.25  # of it, that the faces take without details
 THREE_FINGERS = {"link_lever_3", "wedge_roller_3"}  # one of them is turned into the main view
 SVG = "{http://www.w3.org/2000/svg}"
@@ -231,6 +233,24 @@ def is_near(point: Point, strokes: list[Stroke]) -> bool:
     return min(map(abs, point)) < 1e-6 or any(
         list(outside(one, around)) != [one] for one in strokes
     )
+
+
+@each("any_variants", "any_variant")
+def test_outlines_are_closed(draw: "Draw", any_variant: str) -> None:
+    """An edge that is seen ends at another edge, seen or hidden, or at a line of break."""
+    figure = draw(any_variant).view.figure
+    for face in figure.faces:
+        edges = [
+            one for one in figure.seen[face] if one.kind not in {LineKind.CENTRE, LineKind.PHANTOM}
+        ]
+        lines = [shapely.LineString(points_of(one.stroke)) for one in edges]
+        tree = shapely.STRtree(lines)
+        for number, (edge, line) in enumerate(zip(edges, lines, strict=True)):
+            ends = [shapely.Point(line.coords[place]) for place in (0, -1)]
+            if edge.kind is LineKind.OUTLINE and ends[0].distance(ends[1]) > ROUNDED:
+                for end in ends:
+                    beside = set(tree.query(end, predicate="dwithin", distance=ROUNDED)) - {number}
+                    assert beside, (face, edge.stroke)
 
 
 @each("any_variants", "any_variant")

@@ -168,7 +168,11 @@ def covered(stroke: Stroke, mask: Sequence[Point]) -> Iterator[Stroke]:
 
 
 def _pieces(stroke: Stroke, mask: Sequence[Point], *, inner: bool) -> Iterator[Stroke]:
-    cuts = sorted({0.0, 1.0, *_cuts(stroke, mask)})
+    cuts = [0.0]
+    for share in sorted([*_cuts(stroke, mask), 1.0]):
+        if share - cuts[-1] > _NOTHING:
+            cuts.append(share)
+    cuts[-1] = 1.0
     kept: list[tuple[float, float]] = []
     for low, high in pairwise(cuts):
         if inside(_at(stroke, (low + high) / 2), mask) != inner:
@@ -221,7 +225,11 @@ def _piece(stroke: Stroke, low: float, high: float) -> Stroke:
 
 
 def _cuts(stroke: Stroke, mask: Sequence[Point]) -> Iterator[float]:
-    """Yield where a stroke crosses the edges of a polygon, as shares of its length."""
+    """Yield where a stroke crosses the edges of a polygon, as shares of its length.
+
+    A crossing at a corner, where two edges meet, is on one of them at least: rounding may put it a
+    little beyond the end of both.
+    """
     for edge in zip(mask, [*mask[1:], mask[0]], strict=True):
         found = _line_cut(stroke, *edge) if isinstance(stroke, Line) else _arc_cut(stroke, *edge)
         yield from (share for share in found if 0 < share < 1)
@@ -234,7 +242,7 @@ def _line_cut(line: Line, first: Point, second: Point) -> Iterator[float]:
     cross = ux * vy - uy * vx
     if abs(cross) < _NOTHING**2:
         return
-    if 0 <= (wx * uy - wy * ux) / cross <= 1:
+    if -_NOTHING <= (wx * uy - wy * ux) / cross <= 1 + _NOTHING:
         yield (wx * vy - wy * vx) / cross
 
 
@@ -247,6 +255,6 @@ def _arc_cut(arc: Arc, first: Point, second: Point) -> Iterator[float]:
         return
     for root in (math.sqrt(rest), -math.sqrt(rest)):
         share = (root - mixed) / square
-        if 0 <= share <= 1:
+        if -_NOTHING <= share <= 1 + _NOTHING:
             angle = math.degrees(math.atan2(wy + vy * share, wx + vx * share))
             yield ((angle - arc.low) % _FULL_TURN) / (arc.high - arc.low)
