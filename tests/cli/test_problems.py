@@ -85,6 +85,23 @@ def test_what_is_wrong_in_many_places_of_a_file_is_said_once() -> None:
     ]
 
 
+def test_a_name_that_is_missed_in_three_places_and_more_is_told_once_with_all_of_them() -> None:
+    missed, near = message("No '{name}'.", name="g"), message("Did you mean 'gravity'?")
+    listed = message("Known here: a.")
+    places = [("a.toml", "p"), ("a.toml", "q"), ("b.toml", "r")]
+    found = [
+        Problem(file, key, missed, near if file == "a.toml" else listed, f"  {key} + g")
+        for file, key in places
+    ]
+    (told,) = said_of(found, Words("en"))
+    assert told == (
+        "a.toml: p: No 'g'. And in 2 more places: q; b.toml: r. Did you mean 'gravity'?\n  p + g"
+    )
+    assert len(list(said_of(found[:2], Words("en")))) == 2
+    other = replace(found[2], what=message("No '{name}'.", name="h"))
+    assert len(list(said_of([*found[:2], other], Words("en")))) == 3
+
+
 @pytest.mark.parametrize(
     ("language", "student", "item"),
     [("en", "<student>", "<item>"), ("ru", "<студент>", "<пункт>"), ("uk", "<студент>", "<пункт>")],

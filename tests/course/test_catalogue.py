@@ -125,14 +125,16 @@ def test_allowed_stresses_of_steels_follow_from_their_yield(course: Course) -> N
 @pytest.mark.parametrize(
     ("file", "old", "key"),
     [
-        (PIN, "# title: ", "title"),
-        ("variants/catalogues/bore_pneumatic.csv", "# column.rod: ", "column.rod"),
+        (PIN, "title", "title"),
+        ("variants/catalogues/bore_pneumatic.csv", "column.rod", "column.rod"),
     ],
 )
 def test_a_series_that_students_could_not_be_shown_is_named(
     draft: "Draft", file: str, old: str, key: str
 ) -> None:
-    problem = draft.edit(file, old, "# nothing: ").problem()
+    for language in ("", ".ru", ".uk"):
+        draft.edit(file, f"# {old}{language}: ", f"# nothing{language}: ")
+    problem = draft.problem()
     assert (problem.file, str(problem.key)) == (file, key)
     assert f"'# {key}: …'" in str(problem.remedy)
 
@@ -141,11 +143,14 @@ def test_a_series_that_students_could_not_be_shown_is_named(
     ("file", "line"),
     [
         (PIN, "title.uk"),
+        (PIN, "title.en"),
         ("variants/catalogues/bore_pneumatic.csv", "column.rod.ru"),
+        ("variants/catalogues/bore_pneumatic.csv", "column.rod.en"),
     ],
 )
 def test_a_language_that_a_printed_name_lacks_is_told(draft: "Draft", file: str, line: str) -> None:
-    problem = draft.edit(file, f"# {line}: ", "# nothing: ").problem()
+    # The line without a language is the English one.
+    problem = draft.edit(file, f"# {line.removesuffix('.en')}: ", "# nothing: ").problem()
     assert (problem.file, str(problem.key)) == (file, line)
     assert "in this language is missing" in str(problem.what)
     assert f"'# {line}: …'" in str(problem.remedy)

@@ -1,5 +1,6 @@
 """Problems in the words of the command line: its options, and the command that mends them."""
 
+from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import reduce
@@ -34,6 +35,7 @@ TYPED: Final[Mapping[NextStep, str]] = {
 """What is typed for each step that the library can only name."""
 
 
+_ONE_CAUSE: Final = 3  # places of which the same is said
 _KEYS: Final = 4  # that are named of those that one sentence is about
 _MOST: Final = 100  # that are said; whoever has more has one mistake many times
 
@@ -50,7 +52,50 @@ def said_of(problems: Sequence[Problem], words: Words) -> Iterator[str]:
 
 
 def _merged(problems: Iterable[Problem]) -> Iterator[Problem]:
-    """Say once what is said of several keys of a file; excerpts tell places apart, and stay."""
+    """Say once what is said of several places; excerpts tell two places apart, and stay.
+
+    What is said with the same names of three places and more, in whatever files, has one cause: a
+    section, a constant or a unit that is called otherwise now. Where else is told in a line.
+    """
+    alike: dict[object, list[Problem]] = {}
+    for one in problems:
+        named = (str(one.what), one.parameter) if one.what.values else id(one)
+        alike.setdefault(named, []).append(one)
+    told: list[Problem] = []
+    for group in alike.values():
+        told += [_told_once(group)] if len(_places(group)) >= _ONE_CAUSE else group
+    yield from _merged_in_files(told)
+
+
+def _told_once(group: Sequence[Problem]) -> Problem:
+    """Tell the first place as always, the others by their names, and the commonest remedy."""
+    first, *others = _places(group)
+    more = counted("And in {count} more place: {places}.",
+                   "And in {count} more places: {places}.", len(others),
+                   places=_keys(_named_once([first, *others])[1:]))  # fmt: skip
+    remedies = Counter(str(one.remedy) for one in group)
+    remedy = max((one.remedy for one in group), key=lambda one: remedies[str(one)])
+    what = message("{what} {more}", what=group[0].what, more=more)
+    return replace(group[0], what=what, remedy=remedy)
+
+
+def _places(group: Iterable[Problem]) -> list[tuple[str, str | Message]]:
+    """Return the places of problems, each once: a file and a key."""
+    named = {(one.file, str(one.key)): one.key for one in group if one.file and one.key}
+    return [(file, key) for (file, _), key in named.items()]
+
+
+def _named_once(places: Sequence[tuple[str, str | Message]]) -> list[str | Message]:
+    """Name places, the file of each only where it is another than that of the place before."""
+    before = ("", *(file for file, _ in places))
+    return [
+        key if file == last else message("{left}: {right}", left=file, right=key)
+        for last, (file, key) in zip(before, places, strict=False)
+    ]
+
+
+def _merged_in_files(problems: Iterable[Problem]) -> Iterator[Problem]:
+    """Say once what is said of several keys of a file."""
     alike: dict[object, list[Problem]] = {}
     for one in problems:
         said = (one.file, one.parameter, str(one.what), str(one.remedy), one.step)

@@ -144,10 +144,17 @@ def _remarks(lines: Sequence[str]) -> dict[str, str]:
 
 
 def _served(written: Mapping[str, str], languages: Sequence[str]) -> dict[str, str]:
-    """Add the line without a language where there is one in the language that it would serve."""
-    ending = f".{_plain(languages)}"
-    named = {name.removesuffix(ending): one for name, one in written.items()
-             if name.endswith(ending)}  # fmt: skip
+    """Add the line without a language where there is one in the language that it would serve.
+
+    Where a title has lines of other languages only, the first stands for it: what is missing is a
+    translation, and no title.
+    """
+    named: dict[str, str] = {}
+    for language in (_plain(languages), *languages):
+        for name, one in written.items():
+            stands_in = language == _plain(languages) or not name.startswith(_REMARKS)
+            if name.endswith(f".{language}") and stands_in:
+                named.setdefault(name.removesuffix(f".{language}"), one)
     return named | {name: one for name, one in written.items() if one or name not in named}
 
 

@@ -17,7 +17,12 @@ from gripcourse.course.check_kinematics import check_kinematics, moving_units
 from gripcourse.course.check_notes import check_notes
 from gripcourse.course.check_one_end import check_one_end
 from gripcourse.course.check_options import check_option_names, check_option_rules
-from gripcourse.course.check_parts import check_parts, unlike_names
+from gripcourse.course.check_parts import (
+    check_empty_parts,
+    check_parts,
+    lacks_a_part,
+    unlike_names,
+)
 from gripcourse.course.check_series import check_series
 from gripcourse.course.check_step_up import check_step_up
 from gripcourse.course.check_symbols import check_symbols
@@ -73,7 +78,7 @@ def check_course(
                 continue
         # Remedies may name what only the others have.
         found += _check_alone(alone, scheme, tables, beside, seen)
-    found += _check_used_parts(course)
+    found += [*_check_used_parts(course), *check_empty_parts(course)]
     found += _check_columns(course)
     found += check_titles(course)
     found += [*check_notes(course), *check_one_end(course)]
@@ -122,8 +127,9 @@ def _check_alone(
     if beside.knows_rules:
         yield from check_option_rules(course, scheme)
     yield from check_parts(course, scheme)
-    if all_part_ids(scheme).keys() <= course.parts.keys():
-        # else all that uses the missing part would be reported too
+    is_written = bool(scheme.quantities or all_part_ids(scheme))
+    if is_written and not lacks_a_part(course, scheme):
+        # else all that uses what is missing would be reported too
         yield from _check_scheme(course, scheme, tables, beside, seen)
 
 
@@ -142,7 +148,9 @@ def _check_scheme(
         yield from check_declarations(course, new)
         if doubled:  # whatever uses one of the two would seem to be wrong with the other
             new = [one for one in new if doubled.isdisjoint((one.id, *one.uses))]
-        yield from check_formulas(new, quantities, tables.columns, tables.dimensions, elsewhere)
+        yield from check_formulas(
+            new, quantities, tables.columns, tables.dimensions, elsewhere, course.constants
+        )
         yield from check_series(new, tables.columns, tables.dimensions)
         if not circular:  # else what stands in the circle would seem to be without use
             yield from _check_use(course, quantities)

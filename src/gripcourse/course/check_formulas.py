@@ -35,6 +35,7 @@ def check_formulas(
     columns: Mapping[str, Column],
     column_dimensions: Mapping[str, tuple[Dimension, Dimension]],
     elsewhere: Mapping[str, Collection[str]],
+    constants: Collection[str],
 ) -> Iterator[Problem]:
     """Yield the problems of every formula of the checked declarations.
 
@@ -44,11 +45,13 @@ def check_formulas(
         columns: catalogue columns.
         column_dimensions: of the sizes and of the column, by `catalogue.column`.
         elsewhere: files of parts, by the names that they declare, for what is not known here.
+        constants: of the course: a composition has those that some formula uses.
     """
     if not checked:
         return
     dimensions = {name: dimension(one.unit) for name, one in quantities.items() if known(one.unit)}
     usable = {name for name, other in quantities.items() if other.kind is not Kind.MANUAL}
+    usable |= set(constants)
     for one in checked:
         for key, formula, is_condition in _keyed_formulas(one):
             faults = list(_name_faults(one, key, formula, usable, columns, elsewhere))

@@ -2,12 +2,13 @@
 
 from collections.abc import Iterator, Mapping
 
-from gripcourse.course.compose import all_part_ids, part_ids
+from gripcourse.course.compose import all_part_ids, part_ids, used_names
 from gripcourse.course.model import Course, Scheme
 from gripcourse.course.option_sets import pair_option_sets
 from gripcourse.errors import Problem
-from gripcourse.text.suggestion import did_you_mean
-from gripcourse.text.words import message
+from gripcourse.formula.tree import CONSTANTS
+from gripcourse.text.suggestion import did_you_mean, shortened
+from gripcourse.text.words import counted, message
 
 
 def check_parts(course: Course, scheme: Scheme) -> Iterator[Problem]:
@@ -22,6 +23,44 @@ def check_parts(course: Course, scheme: Scheme) -> Iterator[Problem]:
                     did_you_mean(part, course.parts),
                 )
         yield from (_doubled(*one) for one in _declared_twice(course, scheme, options))
+
+
+def check_empty_parts(course: Course) -> Iterator[Problem]:
+    """Yield the parts that declare nothing, with what their users would find in them.
+
+    All that is computed from what is not there would be reported too.
+    """
+    for part in course.parts.values():
+        users = [one for one in course.schemes.values() if part.id in all_part_ids(one)]
+        if not (part.is_empty and users):
+            continue  # a part without users is spare, whatever it says
+        lacking = sorted({name for one in users for name in _names_lacking(course, one)})
+        if lacking:
+            what = counted(
+                "The file declares nothing, and its schemes lack {count} name: {names}.",
+                "The file declares nothing, and its schemes lack {count} names: {names}.",
+                len(lacking),
+                names=shortened(lacking),
+            )
+            remedy = message("Declare them here, or bring the file back as it was.")
+        else:
+            what = message("The file declares nothing.")
+            remedy = message("Declare its quantities: [quantity.NAME]; or remove the file.")
+        yield Problem(part.file, "", what, remedy)
+
+
+def lacks_a_part(course: Course, scheme: Scheme) -> bool:
+    """Tell whether a part of a scheme does not exist, or declares nothing."""
+    used = all_part_ids(scheme)
+    return any(one not in course.parts or course.parts[one].is_empty for one in used)
+
+
+def _names_lacking(course: Course, scheme: Scheme) -> set[str]:
+    """Return the names that formulas of a scheme use and nothing of it declares."""
+    parts = [course.parts[one] for one in all_part_ids(scheme) if one in course.parts]
+    declared = [*(one.quantities for one in parts), scheme.quantities]
+    known = {*course.constants, *CONSTANTS}.union(*declared)
+    return used_names(one for own in declared for one in own.values()) - known
 
 
 def unlike_names(course: Course, scheme: Scheme) -> frozenset[str]:

@@ -46,11 +46,19 @@ class Option:
 
 @dataclass(frozen=True, slots=True)
 class Part:
-    """A file of declarations that many schemes share."""
+    """A file of declarations that many schemes share.
+
+    Attributes:
+        id: the name of the file.
+        quantities: that it declares.
+        file: in the course.
+        is_empty: whether it says nothing at all: no quantity, no change of one, no kinematics.
+    """
 
     id: str
     quantities: Mapping[str, Quantity]
     file: str
+    is_empty: bool = False
 
 
 @dataclass(frozen=True, slots=True)

@@ -96,12 +96,14 @@ def _parts(
         table.known_keys()
         motion = table.table("kinematics")
         written = table.named_tables("quantity")
+        changes = table.named_tables("override")
         raw[path.stem] = RawPart(
             {without_dashes(name): one for name, one in written.items()},
-            table.named_tables("override"),
+            changes,
             None if motion is None else read_kinematics(motion),
         )
-        parts[path.stem] = Part(path.stem, _quantities(written), table.file)
+        is_empty = not (written or changes or motion)
+        parts[path.stem] = Part(path.stem, _quantities(written), table.file, is_empty)
     return parts, raw
 
 

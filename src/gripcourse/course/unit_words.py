@@ -8,7 +8,7 @@ from gripcourse.text.words import Message, message
 
 _BELOW: Final = re.compile(r"/\(([^()]*)\)")
 _TIMES: Final = re.compile(r"(?<!\*)\*(?!\*)")
-_OF_THERMOMETERS: Final = re.compile(r"[°º] ?[CFС]|℃|deg_?[CF]|[Cc]elsius")
+_OF_THERMOMETERS: Final = re.compile(r"[°º] ?[CFС]|℃|℉|deg_?[CF]|[Cc]elsius|[Ff]ahrenheit")
 
 
 def unit_remedy(unit: str) -> Message:
@@ -16,7 +16,7 @@ def unit_remedy(unit: str) -> Message:
     meant = read_unit(unit)
     if _OF_THERMOMETERS.search(unit):
         return message(
-            "Write 'K': formulas take differences of temperatures, and know no zero of a scale."
+            "Write 'degC' for a temperature, 'K' for a difference of two."
         )
     meant = meant or _without_brackets(unit)
     if meant:

@@ -16,7 +16,7 @@ from gripcourse.policy.model import Policy
 from gripcourse.solver.asked import deciding
 from gripcourse.solver.plan import Plan
 from gripcourse.text.amounts import NO_BREAK_SPACE, counted_points, day_text, percent_text
-from gripcourse.text.units import unit_text
+from gripcourse.text.units import stands_close, unit_text
 from gripcourse.text.words import Message, Words, message
 from gripcourse.variants.model import Issued
 from gripcourse.workbook.cover import variant_text
@@ -243,7 +243,7 @@ def _datum(quantity: Quantity, value: float | None, words: Words) -> SheetDatum:
     language = words.language
     unit = unit_text(quantity.unit, language)
     written = "—" if value is None else words.number(value, _GIVEN_FIGURES)
-    degrees = unit.startswith("°")
+    degrees = bool(unit) and stands_close(unit)
     return SheetDatum(
         symbol=quantity.symbol.of(language),
         title=quantity.title.of(language),

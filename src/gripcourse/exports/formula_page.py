@@ -74,6 +74,8 @@ def formula_lines() -> Iterator[str]:
     named = ", ".join(f"`{one}`" for one in unit_names())
     yield (
         f"A unit is one of {named}, or made of them, without brackets: `N/mm`, `m/s**2`, "
-        "`W/m**2/K`. An empty text is a plain number. Differences of temperatures are in `K`; a "
-        "temperature in °C is a plain number, whose title says so."
+        "`W/m**2/K`. An empty text is a plain number. A temperature is in `degC`, a difference of "
+        "temperatures in `K`: inside formulas either counts kelvins, that in `degC` from 0 °C, so "
+        "`outlet - inlet` is right as it stands, and `inlet + celsius_zero`, a constant of 273.15 "
+        "K, counts from absolute zero."
     )

@@ -18,6 +18,7 @@ from gripcourse.formula.boxes import (
     boxes,
 )
 from gripcourse.formula.markup import argument
+from gripcourse.text.units import stands_close
 
 _INVISIBLE_TIMES: Final = "\u2062"
 _APPLIED_TO: Final = "\u2061"
@@ -91,7 +92,7 @@ def _row(items: tuple[Box, ...]) -> Iterator[str]:
 def _value(value: Value) -> Iterator[str]:
     yield f"<mn>{escape(value.number)}</mn>"
     if value.unit:
-        gap = "" if value.unit.startswith("°") else _NO_BREAK
+        gap = "" if stands_close(value.unit) else _NO_BREAK
         yield f"<mtext>{gap}{escape(value.unit)}</mtext>"
 
 

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from typing import Final, assert_never
 
 from gripcourse.formula.boxes import Applied, Box, Fence, Fraction, Root, Row, Script, Text, Value
+from gripcourse.text.units import stands_close
 
 _SUPERSCRIPTS: Final = str.maketrans("0123456789", "⁰¹²³⁴⁵⁶⁷⁸⁹")
 _LETTERS: Final = frozenset({"variable", "upright"})
@@ -40,8 +41,7 @@ def text(box: Box) -> str:
 
 def value_text(box: Value) -> str:
     """Write a number with its unit; a degree sign stands close."""
-    close = box.unit in {"", "°"}
-    return box.number + box.unit if close else f"{box.number} {box.unit}"
+    return box.number + box.unit if stands_close(box.unit) else f"{box.number} {box.unit}"
 
 
 def _run(box: Text) -> str:

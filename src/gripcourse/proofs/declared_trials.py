@@ -19,6 +19,7 @@ from gripcourse.proofs.declared import (
 )
 from gripcourse.proofs.model import Proof, ProofKind, ProofResult, Verdict, concluded
 from gripcourse.proofs.samples import SampleSource, Trial, trials_with
+from gripcourse.proofs.tried import in_sets
 from gripcourse.solver.motion import coordinates, drive_at
 from gripcourse.solver.plan import Plan
 from gripcourse.solver.solve import Values, evaluate, to_si
@@ -151,22 +152,19 @@ def _faults(
         return
     first = int(wrong[0])
     where = {
-        "scheme": trial.plan.scheme.id,
-        "options": ", ".join(f"{name}={choice}" for name, choice in trial.plan.options.items()),
+        "where": trial.name,
         "variant": trial.variants[first].id,
-        "wrong": len(wrong),
-        "count": len(holds),
+        "tried": in_sets(len(wrong), len(holds)),
     }
     if isinstance(one, Inequality):
         what = message(
-            "It does not hold in {wrong} of {count} sets of numbers of {scheme} ({options}),"
-            " for example in {variant}.",
+            "It does not hold {tried} ({where}), for example in {variant}.",
             **where,
         )
     else:
         what = message(
-            "The sides differ in {wrong} of {count} sets of numbers of {scheme} ({options}), for"
-            " example in {variant}: {left} and {right}, in SI.",
+            "The sides differ {tried} ({where}), for example in {variant}: {left}"
+            " and {right}, in SI.",
             **where,
             left=float(left[first]),
             right=float(right[first]),

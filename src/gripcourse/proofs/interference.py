@@ -15,6 +15,7 @@ from gripcourse.formula.evaluate import Array, Column
 from gripcourse.proofs.calculations import PrintedCalculation
 from gripcourse.proofs.model import Proof, ProofKind, ProofResult, Verdict, concluded
 from gripcourse.proofs.samples import Trial
+from gripcourse.proofs.tried import in_sets
 from gripcourse.solver.solve import evaluate, to_si
 from gripcourse.text.words import message
 
@@ -58,9 +59,7 @@ def _crossed(
 ) -> Iterator[Problem]:
     for (file, key), wrong in crossed_outlines(scheme, columns, values).items():
         what = message(
-            "The outline crosses itself in {wrong} of {count} sets of numbers.",
-            wrong=int(wrong.sum()),
-            count=len(wrong),
+            "The outline crosses itself {tried}.", tried=in_sets(int(wrong.sum()), len(wrong))
         )
         yield Problem(file, key, what, _IN_ORDER)
 
@@ -70,14 +69,13 @@ def _overlapping(scheme: Scheme, found: Overlaps, file: str, names: list[str]) -
     for pair, depth in found.pairs.items():
         worst = int(depth.argmax())
         what = message(
-            "{first} and {second} overlap at {position} by up to {depth} mm, in {wrong} of {count}"
-            " sets of numbers, for example in {variant}.",
+            "{first} and {second} overlap at {position} by up to {depth} mm, {tried}, for example"
+            " in {variant}.",
             first=pair.first,
             second=pair.second,
             position=pair.position,
             depth=round(float(depth[worst]), 2),
-            wrong=int((depth > 0).sum()),
-            count=found.count,
+            tried=in_sets(int((depth > 0).sum()), found.count),
             variant=names[worst],
         )
         remedy = message(

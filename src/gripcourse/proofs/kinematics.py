@@ -14,6 +14,7 @@ from gripcourse.course.model import Scheme
 from gripcourse.errors import Problem
 from gripcourse.proofs.model import Proof, ProofKind, ProofResult, Verdict, concluded
 from gripcourse.proofs.samples import Trial
+from gripcourse.proofs.tried import in_sets
 from gripcourse.solver.motion import coordinates, declared_ratio, drive_at, work_ratio
 from gripcourse.solver.plan import Plan
 from gripcourse.solver.solve import Values, evaluate, to_si
@@ -41,8 +42,8 @@ def prove_ratios(scheme: Scheme, trials: tuple[Trial, ...]) -> Iterator[ProofRes
             wrong = ratio_differs(trial, trial.plan, motion, position)
             if wrong.any():
                 what = message(
-                    "{quantity} is not the virtual work of the links in {wrong} of {count} sets of"
-                    " numbers ({options}), for example in {variant}.",
+                    "{quantity} is not the virtual work of the links {tried} ({where}), for"
+                    " example in {variant}.",
                     quantity=motion.ratio[position],
                     **_where(trial, wrong),
                 )
@@ -101,8 +102,7 @@ def prove_motion(scheme: Scheme, trials: tuple[Trial, ...]) -> ProofResult:
         ):
             if wrong.any():
                 said = message(
-                    "{what} In {wrong} of {count} sets of numbers ({options}), for example in"
-                    " {variant}.",
+                    "{what} So it is {tried} ({where}), for example in {variant}.",
                     what=what,
                     **_where(trial, wrong),
                 )
@@ -135,9 +135,8 @@ def _problem(proof: Proof, what: Message) -> Problem:
 
 def _where(trial: Trial, wrong: NDArray[np.bool_]) -> dict[str, object]:
     return {
-        "wrong": int(wrong.sum()),
-        "count": len(wrong),
-        "options": ", ".join(f"{name}={choice}" for name, choice in trial.plan.options.items()),
+        "tried": in_sets(int(wrong.sum()), len(wrong)),
+        "where": trial.name,
         "variant": trial.variants[int(np.flatnonzero(wrong)[0])].id,
     }
 

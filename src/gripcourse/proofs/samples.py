@@ -99,6 +99,12 @@ class Trial:
     known: Mapping[str, Array]
     values: Values
 
+    @property
+    def name(self) -> str:
+        """The scheme, and what is chosen of its options."""
+        options = (f"{name}={choice}" for name, choice in self.plan.options.items())
+        return ", ".join((self.plan.scheme.id, *options))
+
 
 def make_trial(plan: Plan, variants: tuple[Variant, ...]) -> Trial:
     """Solve variants of one composition."""

@@ -28,6 +28,8 @@ _FIT: Final = re.compile(
 _FIT_LEFT_OUT: Final = message("The tolerance behind the size was left out.")
 _ANGLES: Final = frozenset({"deg", "rad", "gon"})
 _PERCENT: Final = "%"
+_CELSIUS, _KELVIN = "degC", "K"
+_ABSOLUTE_ZERO: Final = -273.15  # °C, by definition of the scale
 # Where turns are asked, one in a minute is a turn; one in a second is a turn or a radian.
 _TURNS: Final = {"1/min": "rpm", "Hz": "rps"}
 _TURNS_OR_RADIANS: Final = "1/s"
@@ -147,6 +149,8 @@ def _measured(read: NumberRead, unit: str, quantity: Quantity) -> Understood | M
                 declared=_written(quantity.unit),
             )
         unit = _TURNS.get(unit, unit)
+    if {unit, quantity.unit} == {_CELSIUS, _KELVIN}:
+        return _temperature(read, unit, quantity)
     if _fits(unit, quantity.unit):
         return _converted(read, unit, quantity)
     remarks = (*read.remarks, _unfit(unit, quantity))
@@ -181,9 +185,11 @@ def _fits(unit: str, declared: str) -> bool:
     return same_kind and dimension(unit) == dimension(declared)
 
 
-def _converted(read: NumberRead, unit: str, quantity: Quantity) -> Understood | Message:
+def _converted(
+    read: NumberRead, unit: str, quantity: Quantity, zero: float = 0.0
+) -> Understood | Message:
     scale = factor(unit) / factor(quantity.unit)
-    value = float(f"{read.value * scale:.14g}")  # without what the conversion adds at the end
+    value = float(f"{read.value * scale + zero:.14g}")  # without what the conversion adds at the end
     if not math.isfinite(value):
         return _OUT_OF_RANGE
     remark = message(
@@ -195,6 +201,24 @@ def _converted(read: NumberRead, unit: str, quantity: Quantity) -> Understood | 
     )
     plain = _plain(value, read.half_unit * scale, (remark, *read.remarks), read.figures)
     return replace(plain, unit=unit)
+
+
+def _temperature(read: NumberRead, unit: str, quantity: Quantity) -> Understood | Message:
+    """Read kelvins where a temperature in °C is asked, and °C where kelvins are.
+
+    What is asked in kelvins is a temperature or a difference of two: its bounds tell, or nothing.
+    """
+    if unit == _CELSIUS:
+        least, most = quantity.bounds
+        zeros = [zero for zero in (0.0, -_ABSOLUTE_ZERO) if least <= read.value + zero <= most]
+        if len(zeros) == 1:
+            return _converted(read, unit, quantity, zeros[0])
+        return message(
+            "{number} °C: a temperature, or a difference of two? Write the number in {declared}.",
+            number=readable(read.value),
+            declared=_written(quantity.unit),
+        )
+    return _converted(read, unit, quantity, _ABSOLUTE_ZERO)
 
 
 def _as_number(read: NumberRead) -> Message:

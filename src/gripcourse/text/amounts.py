@@ -3,7 +3,7 @@
 from datetime import date
 
 from gripcourse.text.conventions import is_english
-from gripcourse.text.units import unit_text
+from gripcourse.text.units import stands_close, unit_text
 from gripcourse.text.words import Words
 
 NO_BREAK_SPACE = "\u00a0"
@@ -76,5 +76,5 @@ def day_text(day: date, words: Words) -> str:
 def amount_text(value: float, unit: str, words: Words, figures: int = 5) -> str:
     """Write a number with its unit, never broken across lines: `60,08 мм`, `36,87°`."""
     number, written = words.number(value, figures), unit_text(unit, words.language)
-    joint = "" if not written or written.startswith("°") else NO_BREAK_SPACE
+    joint = "" if stands_close(written) else NO_BREAK_SPACE
     return f"{number}{joint}{written}"

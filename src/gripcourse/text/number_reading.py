@@ -224,7 +224,7 @@ def _unit(tail: str) -> str:
         return ""
     if unit in _EXPONENT_LETTERS:  # a power that was not typed to its end
         raise NotANumber(SEVERAL)
-    if not (unit[0].isalpha() or unit[0] in "%‰°º˚′″'\"\u00b5[(") or unit[0] in _CALCULATED:
+    if not (unit[0].isalpha() or unit[0] in "%‰°℃º˚′″'\"\u00b5[(") or unit[0] in _CALCULATED:
         raise NotANumber(SEVERAL)
     if unit[0] in _TIMES and unit[1:].lstrip()[:1].isdigit():  # 12x13
         raise NotANumber(SEVERAL)

@@ -1,6 +1,6 @@
 """Names that may have been meant."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from difflib import get_close_matches
 from typing import Final
 
@@ -15,8 +15,11 @@ def did_you_mean(name: str, known: Iterable[str]) -> Message:
     near = get_close_matches(name, choices, n=1)
     if near:
         return message("Did you mean '{near}'?", near=near[0])
-    names = ", ".join(choices[:_MOST_LISTED])
-    more = len(choices) - _MOST_LISTED
-    if more > 0:
-        return message("Known here: {names}, and {count} more.", names=names, count=more)
-    return message("Known here: {names}.", names=names or "—")
+    return message("Known here: {names}.", names=shortened(choices) if choices else "—")
+
+
+def shortened(names: Sequence[str]) -> Message:
+    """List names; of many the first ones, and how many more there are."""
+    listed = message("{names}", names=", ".join(names[:_MOST_LISTED]))
+    more = len(names) - _MOST_LISTED
+    return message("{names}, and {count} more", names=listed, count=more) if more > 0 else listed

@@ -4,7 +4,8 @@ A unit is spelled by names of `units.csv` joined by `*`, `/` and `**`, for examp
 `m/s**2`; the empty text is a plain number. A new unit is a row of `units.csv`, which holds its size
 and what it is made of in SI.
 
-Angles are plain numbers whose SI unit is the radian.
+Angles are plain numbers whose SI unit is the radian. A temperature in `degC` counts from 0 °C: its
+differences are what is in `K`, and what asks for one from absolute zero adds a constant of 273.15 K.
 """
 
 import csv
@@ -157,6 +158,11 @@ def unit_text(unit: str, language: str) -> str:
     above = [_part_text(part, language) for part in parts if part.power > 0 and part.name != "1"]
     below = [_part_text(part, language) for part in parts if part.power < 0]
     return _slash("·".join(above) or "1", below)
+
+
+def stands_close(written: str) -> bool:
+    """Tell whether a unit, as it is written, follows its number without a space: a degree sign."""
+    return not written or (written.startswith("°") and not written.startswith("°C"))
 
 
 @lru_cache(maxsize=1024)

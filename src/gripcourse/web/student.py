@@ -19,6 +19,7 @@ from gripcourse.documents.assignment_sheet import given_data
 from gripcourse.policy.model import Tells
 from gripcourse.solver.plan import plan_of
 from gripcourse.text.amounts import NO_BREAK_SPACE
+from gripcourse.text.units import stands_close
 from gripcourse.text.words import Words, message
 from gripcourse.usecases.issuing.handout import sheet_path, workbook_path
 from gripcourse.usecases.publishing.publish import ShownResult, published_to
@@ -225,7 +226,7 @@ def _understood(result: CheckResult, words: Words) -> dict[str, object]:
 
 
 def _amount(value: float, unit: str, words: Words) -> str:
-    joint = "" if not unit or unit.startswith("°") else NO_BREAK_SPACE
+    joint = "" if stands_close(unit) else NO_BREAK_SPACE
     return f"{words.number(value, _FIGURES)}{joint}{unit}"
 
 

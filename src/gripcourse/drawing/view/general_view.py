@@ -33,7 +33,7 @@ from gripcourse.drawing.view.made_of import made_of
 from gripcourse.drawing.view.numbers import numbers_at
 from gripcourse.errors import CourseError, Problem
 from gripcourse.solver.plan import Plan
-from gripcourse.text.units import unit_text
+from gripcourse.text.units import stands_close, unit_text
 from gripcourse.text.words import Words, message
 
 if TYPE_CHECKING:
@@ -181,7 +181,7 @@ def _size(name: str, plan: Plan, values: Mapping[str, float], words: Words) -> s
     value = values[name]
     written = length_text(value, words) if quantity.unit == "mm" else words.number(value, _FIGURES)
     unit = "" if quantity.unit == "mm" else unit_text(quantity.unit, words.language)
-    joint = "" if unit in {"", "°"} else " "
+    joint = "" if stands_close(unit) else " "
     return f"{symbol} = {written}{joint}{unit}"
 
 

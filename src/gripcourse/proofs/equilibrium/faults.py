@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from gripcourse.errors import Problem
 from gripcourse.proofs.samples import Trial
+from gripcourse.proofs.tried import in_comparisons, in_sets
 from gripcourse.text.words import Message, message
 
 _REMEDY: Final = message("Correct the formula of the quantity, or the declared mechanism.")
@@ -51,9 +52,8 @@ def _said(key: str, tried: list[Fault], wrong: list[Fault]) -> Message:
     first = wrong[0]
     place = int(np.flatnonzero(first.wrong)[0])
     options = (f"{name}={choice}" for name, choice in first.trial.plan.options.items())
+    counts = (sum(int(one.wrong.sum()) for one in wrong), sum(len(one.wrong) for one in tried))
     known = {
-        "wrong": sum(int(one.wrong.sum()) for one in wrong),
-        "count": sum(len(one.wrong) for one in tried),
         "schemes": ", ".join(dict.fromkeys(one.trial.plan.scheme.id for one in wrong)),
         "variant": first.trial.variants[place].id,
         "where": ", ".join(filter(None, (first.trial.plan.scheme.id, first.position, *options))),
@@ -61,9 +61,10 @@ def _said(key: str, tried: list[Fault], wrong: list[Fault]) -> Message:
     if first.declared is not None and first.actual is not None:
         ratios = _ratios(wrong)
         return message(
-            "{quantity} is not in equilibrium in {wrong} of {count} comparisons ({schemes}): the"
-            " bodies give {low} to {high} times as much, for example {actual} instead of"
-            " {declared}, in SI, in {variant} ({where}).",
+            "{quantity} is not in equilibrium {tried} ({schemes}): the bodies give {low} to {high}"
+            " times as much, for example {actual} instead of {declared}, in SI, in {variant}"
+            " ({where}).",
+            tried=in_comparisons(*counts),
             quantity=first.what,
             low=_figures(np.nanmin(ratios)),
             high=_figures(np.nanmax(ratios)),
@@ -73,21 +74,23 @@ def _said(key: str, tried: list[Fault], wrong: list[Fault]) -> Message:
         )
     if key == "joint":
         return message(
-            "Equilibrium has no single solution in {wrong} of {count} sets of numbers ({schemes}),"
-            " for example in {variant} ({where}); it leaves open: {open}.",
+            "Equilibrium has no single solution {tried} ({schemes}), for example in {variant}"
+            " ({where}); it leaves open: {open}.",
+            tried=in_sets(*counts),
             open=first.what or "—",
             **known,
         )
     if key.startswith("joint."):
         return message(
-            "The contact {contact} pulls, or slips, in {wrong} of {count} sets of numbers"
-            " ({schemes}), for example in {variant} ({where}).",
+            "The contact {contact} pulls, or slips, {tried} ({schemes}), for example in {variant}"
+            " ({where}).",
+            tried=in_sets(*counts),
             contact=first.what,
             **known,
         )
     return message(
-        "It does not hold in {wrong} of {count} comparisons ({schemes}), for example in {variant}"
-        " ({where}).",
+        "It does not hold {tried} ({schemes}), for example in {variant} ({where}).",
+        tried=in_comparisons(*counts),
         **known,
     )
 

@@ -23,13 +23,13 @@ _CLOSE: Final = 1e-9  # relative: numbers that came by two routes
 _SIZES: Final[Numbers] = {
     "": 1.0, "1": 1.0, "%": 1e-2, "permille": 1e-3,
     "mm": 1.0, "cm": 10.0, "dm": 100.0, "m": 1e3, "um": 1e-3, "inch": 25.4,
-    "l": 1e6, "s": 1.0, "ms": 1e-3, "min": 60.0, "h": 3600.0, "Hz": 1.0,
+    "l": 1e6, "s": 1.0, "ms": 1e-3, "min": 60.0, "h": 3600.0, "Hz": 1.0, "kHz": 1e3,
     "kg": 1e-3, "g": 1e-6, "t": 1.0,
     "N": 1.0, "kN": 1e3, "daN": 10.0, "MN": 1e6, "mN": 1e-3, "kgf": 9.80665, "tf": 9806.65,
     "MPa": 1.0, "Pa": 1e-6, "kPa": 1e-3, "GPa": 1e3, "bar": 0.1, "mbar": 1e-4, "atm": 0.101325,
-    "J": 1e3, "W": 1e3, "kW": 1e6,
+    "J": 1e3, "kJ": 1e6, "MJ": 1e9, "W": 1e3, "kW": 1e6, "MW": 1e9,
     "rad": 1.0, "deg": math.pi / 180, "gon": math.pi / 200, "rpm": math.pi / 30,
-    "A": 1.0, "V": 1e3, "ohm": 1e3, "T": 1e-3, "K": 1.0,
+    "A": 1.0, "V": 1e3, "ohm": 1e3, "T": 1e-3, "K": 1.0, "degC": 1.0,
 }  # fmt: skip
 
 

@@ -1,5 +1,9 @@
 """The instructor's own lists in a course folder, checked before anybody needs them."""
 
+from collections.abc import Iterator
+from dataclasses import replace
+from pathlib import Path
+
 from gripcourse.course.model import Course
 from gripcourse.errors import GripcourseError, Problem
 from gripcourse.gradebook.deadlines import deadlines_path, read_deadlines
@@ -28,7 +32,7 @@ def list_problems(course: Course, policy: Policy | None) -> list[Problem]:
         try:
             read_deadlines(path, zone, issued or listed)
         except GripcourseError as error:
-            problems += error.problems
+            problems += _in_the_course(course, error)
     return problems
 
 
@@ -55,5 +59,13 @@ def _listed(
     try:
         return read_roster(path, issued).students
     except GripcourseError as error:
-        problems += error.problems
+        problems += _in_the_course(course, error)
         return ()
+
+
+def _in_the_course(course: Course, error: GripcourseError) -> Iterator[Problem]:
+    """Yield problems with their files as the course names all of its own."""
+    for one in error.problems:
+        path = Path(one.file)
+        is_own = path.is_absolute() and path.is_relative_to(course.root)
+        yield replace(one, file=path.relative_to(course.root).as_posix()) if is_own else one
