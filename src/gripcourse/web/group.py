@@ -10,7 +10,7 @@ from gripcourse.gradebook.model import Attempt, GradebookEntry, latest_marks_of_
 from gripcourse.gradebook.store import Gradebook
 from gripcourse.gradebook.works import latest_judged, points_of
 from gripcourse.usecases.serving.desk import DeskContext
-from gripcourse.usecases.serving.hand_in import latest, receipt_of
+from gripcourse.usecases.serving.hand_in import is_late, latest
 from gripcourse.variants.model import Issued
 
 
@@ -86,7 +86,7 @@ class Wish:
 def rows_of(context: DeskContext) -> tuple[GroupMember, ...]:
     """Return everybody, by group and name."""
     hand_ins = context.desk.hand_ins()
-    last = latest(hand_ins)
+    last = latest(context, hand_ins)
     files = Counter(one.student for one in hand_ins)
     checks = Counter(one.student for one in context.desk.checks())
     requests = Counter(one.student for one in context.desk.requests())
@@ -96,7 +96,7 @@ def rows_of(context: DeskContext) -> tuple[GroupMember, ...]:
         GroupMember(
             issued=issued,
             hand_in=last.get(id_),
-            late=id_ in last and receipt_of(context, issued, last[id_]).late,
+            late=id_ in last and is_late(context, issued, last[id_].at),
             files=files[id_],
             checks=checks[id_],
             requests=requests[id_],
