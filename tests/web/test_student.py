@@ -105,6 +105,33 @@ def test_a_check_says_how_each_answer_was_read_and_how_many_are_left(
     )
 
 
+def test_a_workbook_without_a_complete_section_is_checked_for_nothing(server: "Server") -> None:
+    """Who tries it early on must not lose what tells something later."""
+    home, before = server.home("s03"), server.context.desk.checks("s03")
+    blank = server.classroom.workbook("s03").read_bytes()
+    page = unescape(server.client().post(f"{home}check", files=upload(blank)).text)
+    times = server.context.policy.check.times
+    assert "answer everything in this section first" in page
+    assert f"{times - sum(one.told for one in before)} of {times}" in page
+    assert not server.context.desk.checks("s03")[-1].told
+
+
+def test_numbers_of_anothers_workbook_are_not_compared(server: "Server", filled: bytes) -> None:
+    """A friend's questions would otherwise be one's own."""
+    page = server.client().post(f"{server.home('s03')}check", files=upload(filled)).text
+    assert "This workbook was issued to another student" in page
+    assert page.count('class="state-read"') > 20
+    assert "Sections" not in page
+    assert not server.context.desk.checks("s03")[-1].told
+
+
+def test_a_yes_is_understood_as_yes(server: "Server", filled: bytes) -> None:
+    page = unescape(server.client().post(f"{server.home('s03')}check", files=upload(filled)).text)
+    said = set(re.findall(r'data-label="Understood as">([^<]*)<', page))
+    assert said & {"yes", "no"}
+    assert not said & {"0", "1"}
+
+
 def test_a_file_that_is_no_workbook_is_refused_in_the_students_language(server: "Server") -> None:
     page = server.client().post(f"{server.home('s02')}check", files=upload(b"PK nothing")).text
     assert 'role="alert"' in page
@@ -169,7 +196,7 @@ def test_a_clock_that_goes_back_and_two_tabs_lose_nothing_and_keep_the_order(
         assert answer.status_code == 200
     kept = server.context.desk.hand_ins("s03")[before:]
     assert [one.number for one in kept] == [before + 1, before + 2, before + 3]
-    assert latest(kept)["s03"].digest == hashlib.sha256(b"tab 2").hexdigest()
+    assert latest(server.context, kept)["s03"].digest == hashlib.sha256(b"tab 2").hexdigest()
     page = tabs[0].get(home).text
     assert all(f"receipt/{one.number}" in page for one in kept)
 

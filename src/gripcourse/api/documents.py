@@ -21,7 +21,11 @@ if TYPE_CHECKING:
 
 @refusals_said
 def init_course(
-    folder: str | Path, *, source: str | Path | None = None, language: str = "en"
+    folder: str | Path,
+    *,
+    source: str | Path | None = None,
+    language: str = "en",
+    templates: bool = False,
 ) -> Course:
     """Make a course of one's own with a key of its own, and load it.
 
@@ -29,6 +33,7 @@ def init_course(
         folder: new or empty.
         source: course to copy; None for the reference course.
         language: of the short guide in it.
+        templates: whether the program's templates are copied too, for who changes the look.
 
     Raises:
         UsageError: the folder is in use or cannot be written.
@@ -36,7 +41,8 @@ def init_course(
     from gripcourse.usecases.authoring.init import init_course as make
 
     origin = None if source is None else path_of(source)
-    make(path_of(folder), secrets.token_bytes(32), Words(language), origin)
+    key = secrets.token_bytes(32)
+    make(path_of(folder), key, Words(language), origin, with_templates=templates)
     return Course.load(folder)
 
 

@@ -118,6 +118,7 @@ def check_result(checked: "CheckedWorkbook", words: Words) -> CheckResult:
                 cell=one.answer.cell,
                 message=words.say(one.message),
                 remarks=_said(one.remarks, words),
+                verdict=quantity.kind is Kind.VERDICT,
             )
         )
     titles = {one.id: one.title for one in checked.plan.course.sections}

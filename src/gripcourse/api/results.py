@@ -255,6 +255,7 @@ class CheckedAnswerResult:
         cell: where it stands.
         message: the state in a sentence.
         remarks: on how it was read.
+        verdict: whether it is a yes or a no; `value` is 1 or 0 then.
     """
 
     quantity: str
@@ -267,6 +268,7 @@ class CheckedAnswerResult:
     cell: str
     message: str
     remarks: tuple[str, ...]
+    verdict: bool = False
 
 
 @dataclass(frozen=True, slots=True)

@@ -109,6 +109,12 @@ def init(
     empty: Annotated[
         bool, typer.Option("--empty", help="A small course to begin with, of any subject.")
     ] = False,
+    templates: Annotated[
+        bool,
+        typer.Option(
+            "--templates", help="With the program's templates too, for who changes the look."
+        ),
+    ] = False,
     language: LanguageOption = None,
 ) -> None:
     """Make a course of your own, with a key of its own: a copy of another, or a small one."""
@@ -120,9 +126,11 @@ def init(
     if empty and source is not None:
         raise cli_text.misuse(message("--from and --empty exclude each other."))
     if empty:
+        if templates:
+            raise cli_text.misuse(message("--templates and --empty exclude each other."))
         empty_course(folder, secrets.token_bytes(32), words)
     else:
-        init_course(folder, secrets.token_bytes(32), words, source)
+        init_course(folder, secrets.token_bytes(32), words, source, with_templates=templates)
     confirm(words.say(message("The course is in {folder}.", folder=str(folder))))
 
 

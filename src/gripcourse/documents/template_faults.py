@@ -1,10 +1,11 @@
 """What is wrong with a template, said to its designer."""
 
 import traceback
+from dataclasses import replace
 from pathlib import Path
 
 from gripcourse.errors import Problem
-from gripcourse.machine.resources import template_folders
+from gripcourse.machine.resources import engine_template, template_folders
 from gripcourse.text.words import message
 
 # Jinja2 costs 40 ms to import: only who makes a document pays.
@@ -22,8 +23,8 @@ def template_problem(error: Exception, name: str, templates: Path) -> Problem:
     from jinja2 import TemplateNotFound, TemplateSyntaxError, UndefinedError
     from jinja2.exceptions import SecurityError
 
-    found = traceback.extract_tb(error.__traceback__)
-    places = [(step, _template_name(step.filename, templates)) for step in found]
+    steps = traceback.extract_tb(error.__traceback__)
+    places = [(step, _template_name(step.filename, templates)) for step in steps]
     inside = [(one, step.lineno) for step, one in places if one]
     place, line = inside[-1] if inside else (name, None)
     what = message("The template fails: {reason}.", reason=_reason(error))
@@ -38,9 +39,28 @@ def template_problem(error: Exception, name: str, templates: Path) -> Problem:
             remedy = message("Leave it out; a template shows the values that it gets, no more.")
         case UndefinedError():
             remedy = message("Correct the name; it may be only the name of what stands before it.")
-    return Problem(
+    found = Problem(
         f"{templates.name}/{place}", "" if line is None else f"line {line}", what, remedy
     )
+    return or_without_it(found, templates)
+
+
+def or_without_it(problem: Problem, templates: Path) -> Problem:
+    """Say too where the engine has such a file: being a copy of an earlier one may be its fault.
+
+    Args:
+        problem: of a file in the folder of a course with the templates.
+        templates: that folder.
+    """
+    name = problem.file.removeprefix(f"{templates.name}/")
+    own, shipped = templates / name, engine_template(name)
+    if shipped is None or not own.is_file() or own.samefile(shipped):
+        return problem
+    remedy = message(
+        "{remedy} If you did not change this file, delete it: the program has a newer one.",
+        remedy=problem.remedy,
+    )
+    return replace(problem, remedy=remedy)
 
 
 def is_of_a_template(error: Exception, templates: Path) -> bool:

@@ -41,6 +41,17 @@ def take_one(ledger: CheckLedger, most: int) -> int | None:
     Raises:
         OSError: the file cannot be written.
     """
+    taken = _taken(ledger, most, more=True)
+    return most - taken - 1 if taken < most else None
+
+
+def left_of(ledger: CheckLedger, most: int) -> int:
+    """Return how many self-checks a student still has; see `take_one`."""
+    return max(0, most - _taken(ledger, most, more=False))
+
+
+def _taken(ledger: CheckLedger, most: int, *, more: bool) -> int:
+    """Return how many a student had before, and add one more where it is wanted and allowed."""
     with suppress(FileExistsError):
         make_private(ledger.path)
     try:
@@ -53,7 +64,7 @@ def take_one(ledger: CheckLedger, most: int) -> int | None:
             question = "SELECT taken FROM checks WHERE who = ?"
             row = file.execute(question, (ledger.who,)).fetchone()
             taken = 0 if row is None else int(row[0])
-            if taken < most:
+            if more and taken < most:
                 file.execute(
                     "INSERT INTO checks VALUES (?, 1)"
                     " ON CONFLICT (who) DO UPDATE SET taken = taken + 1",
@@ -62,4 +73,4 @@ def take_one(ledger: CheckLedger, most: int) -> int | None:
             file.execute("COMMIT")
     except sqlite3.Error as fault:
         raise OSError(None, str(fault), str(ledger.path)) from fault
-    return most - taken - 1 if taken < most else None
+    return taken

@@ -68,6 +68,15 @@ def template_folders(templates: Path, package: Path = _PACKAGE) -> tuple[Path, .
     return tuple({one.resolve(): one for one in found}.values())
 
 
+def engine_template(name: str, package: Path = _PACKAGE) -> Path | None:
+    """Return the engine's own template or style sheet of a name; None where it has none.
+
+    A course's file of the same name goes before it; see `template_folders`.
+    """
+    shipped = template_folders(package / "nowhere", package)
+    return next((path for folder in shipped if (path := folder / name).is_file()), None)
+
+
 def template_file(templates: Path, name: str) -> Path:
     """Return the file of a template or a style sheet: the course's, else the engine's.
 

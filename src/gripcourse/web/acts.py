@@ -37,6 +37,8 @@ def check(
 ) -> CheckResult | WebRefusal:
     """Say how a workbook is read, and by policy whether its numbers fit; it is logged.
 
+    What compares no numbers, because no section is complete, takes none of the times.
+
     Raises:
         HTTPException: it was too often.
     """
@@ -44,19 +46,22 @@ def check(
         return NO_FILE
     known = site.context.desk.checks(student)
     count(site, CHECKS, student, (one.at for one in known))
-    found = site.checkers.do(CheckJob(file, words.language))
+    found = site.checkers.do(CheckJob(file, student, words.language))
     if isinstance(found, Lost):
         said = message("This file could not be read within the limits of the server.")
         return WebRefusal(Code.BEYOND_LIMITS, said)
     assert isinstance(found, CheckedBothWays)  # noqa: S101 (what the workers return)
     digest = hashlib.sha256(file.data).hexdigest()
-    most = None if found.told is None else site.context.policy.check.times
+    most = site.context.policy.check.times if found.compares else None
     try:
         logged = site.context.desk.log_check(student, digest, most, site.clock(), CHECKS)
     except TooOftenError as fault:
         raise too_often(CHECKS) from fault
-    shown_result = found.told if found.told is not None and logged.told else found.reading
-    return replace(shown_result, left=logged.left)
+    if found.told is None:
+        return found.reading
+    if not found.compares:
+        return replace(found.told, left=checks_left(site, student))
+    return replace(found.told if logged.told else found.reading, left=logged.left)
 
 
 def checks_left(site: Site, student: str) -> int:

@@ -22,9 +22,10 @@ SECONDS: Final = 20.0
 
 @dataclass(frozen=True, slots=True)
 class CheckJob:
-    """What is checked: the file, and the reader's language."""
+    """What is checked: the file, who asks, and the reader's language."""
 
     file: NamedBytes
+    student: str
     language: str
 
 
@@ -35,10 +36,12 @@ class CheckedBothWays:
     Attributes:
         reading: how the answers were read, or why the file is refused.
         told: all that the policy may tell; None where that is no more.
+        compares: whether that tells of any numbers that they fit each other, or do not.
     """
 
     reading: CheckResult
     told: CheckResult | None
+    compares: bool
 
 
 @dataclass(frozen=True, slots=True)
@@ -61,11 +64,13 @@ def check(job: CheckJob, shared: tuple[Course, Policy]) -> CheckedBothWays:
     course, policy = shared
     words = Words(job.language)
     try:
-        reading, told = check_both_ways(job.file, course, policy)
+        reading, told = check_both_ways(job.file, course, policy, job.student)
     except UsageError as refused:
-        return CheckedBothWays(refused_check(refused.problems, words), None)
+        return CheckedBothWays(refused_check(refused.problems, words), None, compares=False)
     return CheckedBothWays(
-        check_result(reading, words), None if told is None else check_result(told, words)
+        reading=check_result(reading, words),
+        told=None if told is None else check_result(told, words),
+        compares=told is not None and told.compares,
     )
 
 

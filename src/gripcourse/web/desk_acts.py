@@ -88,7 +88,7 @@ def grading_now(site: Site, graded: Path) -> GradingNow:
         failed=site.own_batch.failed,
         progress=progress,
         last=site.batches.read(graded),
-        waiting=len(latest(hand_ins)),
+        waiting=len(latest(site.context, hand_ins)),
     )
 
 

@@ -10,7 +10,7 @@ from gripcourse.gradebook.model import Attempt, GradebookEntry, latest_marks_of_
 from gripcourse.gradebook.store import Gradebook
 from gripcourse.gradebook.works import latest_judged, points_of
 from gripcourse.usecases.serving.desk import DeskContext
-from gripcourse.usecases.serving.hand_in import latest, receipt_of
+from gripcourse.usecases.serving.hand_in import is_late, latest
 from gripcourse.variants.model import Issued
 
 
@@ -100,7 +100,7 @@ def _members(
 ) -> list[GroupMember]:
     """Return students with what is kept of them; nothing of others is read where one is named."""
     hand_ins = context.desk.hand_ins(only)
-    last = latest(hand_ins)
+    last = latest(context, hand_ins)
     files = Counter(one.student for one in hand_ins)
     checks = Counter(one.student for one in context.desk.checks(only))
     requests = Counter(one.student for one in context.desk.requests(only))
@@ -111,7 +111,7 @@ def _members(
         GroupMember(
             issued=issued,
             hand_in=last.get(id_),
-            late=id_ in last and receipt_of(context, issued, last[id_]).late,
+            late=id_ in last and is_late(context, issued, last[id_].at),
             files=files[id_],
             checks=checks[id_],
             requests=requests[id_],

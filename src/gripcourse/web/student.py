@@ -14,7 +14,7 @@ from starlette.routing import Route
 
 from gripcourse.access.desk.links import Refused
 from gripcourse.access.desk.model import DRAWINGS, HandIn, is_drawing
-from gripcourse.api.results import CheckResult
+from gripcourse.api.results import CheckedAnswerResult, CheckResult
 from gripcourse.documents.assignment_sheet import given_data
 from gripcourse.policy.model import Tells
 from gripcourse.solver.plan import plan_of
@@ -218,16 +218,18 @@ def _understood(result: CheckResult, words: Words) -> dict[str, object]:
         "refusal": result.refusal,
         "remarks": result.remarks,
         "sections": result.sections,
-        "answers": [
-            (one, "" if one.value is None else _amount(one.value, one.unit, words))
-            for one in result.answers
-        ],
+        "answers": [(one, _value(one, words)) for one in result.answers],
     }
 
 
-def _amount(value: float, unit: str, words: Words) -> str:
-    joint = "" if stands_close(unit) else NO_BREAK_SPACE
-    return f"{words.number(value, _FIGURES)}{joint}{unit}"
+def _value(answer: CheckedAnswerResult, words: Words) -> str:
+    """Return what was understood; empty for nothing."""
+    if answer.value is None:
+        return ""
+    if answer.verdict:
+        return words.say(message("yes") if answer.value else message("no"))
+    joint = "" if stands_close(answer.unit) else NO_BREAK_SPACE
+    return f"{words.number(answer.value, _FIGURES)}{joint}{answer.unit}"
 
 
 def _counts(result: CheckResult) -> dict[str, int]:

@@ -32,11 +32,30 @@ def files_below(folder: Path) -> dict[str, bytes]:
 
 
 def test_every_file_of_the_reference_course_is_copied_unchanged(tmp_path: Path) -> None:
-    init_course(tmp_path / "mine", SECRET, WORDS)
+    init_course(tmp_path / "mine", SECRET, WORDS, with_templates=True)
     for name in COURSE_FOLDERS:
         original = files_below(course_root() / name)
         assert original
         assert files_below(tmp_path / "mine" / name) == original
+
+
+def test_templates_stay_with_the_program_until_somebody_changes_them(tmp_path: Path) -> None:
+    """A copy would stay as it is when the program's become others, and fail with them."""
+    init_course(tmp_path / "first", SECRET, WORDS)
+    assert not (tmp_path / "first" / "templates").exists()
+    own = {"student.html.j2": "<p>ours</p>", "style/ours.css": "p {}"}
+    for name, text in own.items():
+        path = tmp_path / "first" / "templates" / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text, encoding="utf-8")
+    same = (course_root() / "templates" / "cohort.html.j2").read_bytes()
+    (tmp_path / "first" / "templates" / "cohort.html.j2").write_bytes(same)
+    init_course(tmp_path / "second", SECRET, WORDS, source=tmp_path / "first")
+    assert files_below(tmp_path / "second" / "templates").keys() == own.keys()
+    init_course(tmp_path / "third", SECRET, WORDS, tmp_path / "first", with_templates=True)
+    third = files_below(tmp_path / "third" / "templates")
+    assert third.keys() == files_below(course_root() / "templates").keys() | own.keys()
+    assert third["student.html.j2"] == b"<p>ours</p>"
 
 
 def test_the_copy_is_a_course_itself(tmp_path: Path) -> None:

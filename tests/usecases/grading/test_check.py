@@ -12,7 +12,7 @@ from gripcourse.cli.text import check_text
 from gripcourse.course.quantity import Kind
 from gripcourse.errors import UsageError
 from gripcourse.gradebook.checks import CheckLedger
-from gripcourse.grading.self_check import State
+from gripcourse.grading.self_check import SectionState, State
 from gripcourse.policy.model import CheckRule, Tells
 from gripcourse.simulation.write import fill
 from gripcourse.solver.solve import solve_variant
@@ -69,6 +69,21 @@ def test_whether_numbers_fit_is_told_as_often_as_the_policy_says(
     assert [bool(one.sections) for one in told] == [True] * times + [False] * 2
     assert [one.left for one in told] == [*range(times - 1, -1, -1), 0, 0]
     assert asked("s02").sections
+
+
+def test_a_check_that_compares_nothing_takes_none_of_them(
+    issued: "Classroom", slipped: Path, tmp_path: Path
+) -> None:
+    ledger = CheckLedger(tmp_path / "checks.sqlite", "s01")
+    blank = issued.workbook("s01")
+    times = issued.policy.check.times
+
+    def asked(file: Path) -> CheckedWorkbook:
+        return check_file(file, issued.course, issued.policy, ledger=ledger)
+
+    assert [asked(blank).left for _ in range(times + 1)] == [times] * (times + 1)
+    assert {one.state for one in asked(blank).sections} == {SectionState.OPEN}
+    assert (asked(slipped).left, asked(blank).left) == (times - 1, times - 1)
 
 
 def test_answers_are_told_only_where_the_policy_wants_an_oracle(

@@ -10,7 +10,15 @@ from typing import Final, TypeAlias
 from gripcourse.errors import Problem, UsageError, system_problem
 from gripcourse.issuing.signature import key_path, make_key
 from gripcourse.machine.files import write_text
-from gripcourse.machine.resources import COURSE_FOLDERS, VARIANTS, course_root, skeleton_root
+from gripcourse.machine.resources import (
+    COURSE_FOLDERS,
+    TEMPLATES,
+    VARIANTS,
+    course_root,
+    engine_template,
+    skeleton_root,
+    template_folders,
+)
 from gripcourse.text.words import Message, Words, message
 
 _PURPOSES = {
@@ -32,24 +40,38 @@ out/
 """
 
 
-def init_course(target: Path, key: bytes, words: Words, source: Path | None = None) -> None:
+def init_course(
+    target: Path,
+    key: bytes,
+    words: Words,
+    source: Path | None = None,
+    *,
+    with_templates: bool = False,
+) -> None:
     """Copy a course into a new folder, with a key of its own; whole or not at all.
 
     Who the students are, what was issued to them and what they got stays where it is. Of the
-    reference course the sample of a roster is copied too.
+    reference course the sample of a roster is copied too. Templates that are the engine's are not:
+    a copy would stay as it is when the engine's become others, and fail with them.
 
     Args:
         target: the folder to make; it may exist if it is empty.
         key: the secret that signs the workbooks of this course; 32 random bytes.
         words: language of the short guide for the instructor.
         source: the course to copy; None for the reference course.
+        with_templates: copy the engine's templates too, for whoever changes the look.
 
     Raises:
         UsageError: the folder is in use or cannot be written; nothing was changed.
     """
     origin = course_root(source)
     left_out = (lambda folder, names: _students(origin, folder, names)) if source else None
-    _make(target, key, words, lambda course: _copy(origin, course, left_out))
+
+    def fill(course: Path) -> None:
+        _copy(origin, course, left_out)
+        _copy_look(origin, course, whole=with_templates)
+
+    _make(target, key, words, fill)
 
 
 def empty_course(target: Path, key: bytes, words: Words) -> None:
@@ -102,11 +124,27 @@ def _refusal(target: Path, what: Message, remedy: Message) -> UsageError:
 
 def _copy(origin: Path, course: Path, left_out: LeftOut | None) -> None:
     for name in COURSE_FOLDERS:
-        if (origin / name).is_dir():
+        if name != TEMPLATES and (origin / name).is_dir():
             # Contents only: files of an installation may be read-only, an instructor's are not.
             shutil.copytree(
                 origin / name, course / name, ignore=left_out, copy_function=shutil.copyfile
             )
+
+
+def _copy_look(origin: Path, course: Path, *, whole: bool) -> None:
+    """Copy the templates of a course: those that are not the engine's, or all of either."""
+    for folder in template_folders(origin / TEMPLATES):
+        for path in sorted(folder.rglob("*")):
+            name = path.relative_to(folder)
+            copy = course / TEMPLATES / name
+            if path.is_file() and not copy.exists() and (whole or not _is_engines(path, name)):
+                copy.parent.mkdir(parents=True, exist_ok=True)
+                shutil.copyfile(path, copy)
+
+
+def _is_engines(path: Path, name: Path) -> bool:
+    shipped = engine_template(name.as_posix())
+    return shipped is not None and shipped.read_bytes() == path.read_bytes()
 
 
 def _students(origin: Path, folder: str, names: Iterable[str]) -> set[str]:
@@ -171,6 +209,12 @@ def _guide(words: Words) -> str:
             message(
                 "What the folder `templates` lacks is taken from the program: put there only "
                 "what you change."
+            )
+        ),
+        say(
+            message(
+                "A course with all templates, to copy from, is made by `gripcourse init look "
+                "--templates`."
             )
         ),
         say(

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, TypeVar
 from gripcourse.documents.kind import SampleDocument
 from gripcourse.documents.pdf import Document, render_html, template_environment
 from gripcourse.documents.registry import document_kinds
-from gripcourse.documents.template_faults import template_problem
+from gripcourse.documents.template_faults import or_without_it, template_problem
 from gripcourse.errors import GripcourseError, Problem
 from gripcourse.machine.resources import template_folders
 from gripcourse.text.suggestion import did_you_mean
@@ -100,7 +100,8 @@ def read_templates(templates: Path, language: str = "en") -> tuple[dict[str, Rea
             tree = environment.parse(source, name, str(path))
             within = _Within(tuple(tree.find_all(Node)))
             unknown = [*_unknown_filters(within, name, environment)]
-            problems += [*unknown, *_unknown_parts(within, name, known)]
+            wrong = (*unknown, *_unknown_parts(within, name, known))
+            problems += [or_without_it(one, templates) for one in wrong]
             if not unknown:
                 asked = compile_template(environment, tree, source, name, str(path))
                 read[name] = _read(tree, within, name, asked)
@@ -160,7 +161,7 @@ def filling_problems(
     everywhere = frozenset(template_environment(templates, words.language).globals)
     problems: list[Problem] = []
     for document in documents:
-        found = [*_unknown(document, everywhere, read)]
+        found = [or_without_it(one, templates) for one in _unknown(document, everywhere, read)]
         if not found and _whole(document.template, read):
             found = _failures(document, templates, words)
         problems += found

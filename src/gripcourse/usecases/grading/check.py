@@ -4,8 +4,14 @@ from dataclasses import dataclass, replace
 
 from gripcourse.course.model import Course
 from gripcourse.errors import Problem, UsageError
-from gripcourse.gradebook.checks import CheckLedger, take_one
-from gripcourse.grading.self_check import AnswerCheck, SectionCheck, self_check
+from gripcourse.gradebook.checks import CheckLedger, left_of, take_one
+from gripcourse.grading.self_check import (
+    AnswerCheck,
+    SectionCheck,
+    SectionState,
+    State,
+    self_check,
+)
 from gripcourse.machine.content import Readable, is_there, shown_name
 from gripcourse.policy.model import Policy, Tells
 from gripcourse.solver.plan import Plan, make_plan
@@ -34,6 +40,14 @@ class CheckedWorkbook:
     remarks: tuple[Message, ...]
     left: int | None
 
+    @property
+    def compares(self) -> bool:
+        """Whether it tells of any numbers that they fit each other, or do not: only that counts."""
+        compared = (State.CONSISTENT, State.INCONSISTENT)
+        return any(one.state is not SectionState.OPEN for one in self.sections) or any(
+            one.state in compared for one in self.checks
+        )
+
 
 def check_file(
     source: Readable,
@@ -58,16 +72,24 @@ def check_file(
         UsageError: the file is no workbook that we can read, or not one that was issued.
     """
     plan, submission = _understood(source, course, read)
-    tells, left = _told(policy, ledger)
-    return _checked(submission, plan, policy, tells, left)
+    alone = _checked(submission, plan, policy, Tells.READING)
+    if ledger is None or policy.check.tells is Tells.READING:
+        return alone
+    told, times = _checked(submission, plan, policy, policy.check.tells), policy.check.times
+    left = take_one(ledger, times) if told.compares else left_of(ledger, times)
+    return replace(alone, left=0) if left is None else replace(told, left=left)
 
 
 def check_both_ways(
-    source: Readable, course: Course, policy: Policy, read: Read = read_workbook
+    source: Readable, course: Course, policy: Policy, who: str, read: Read = read_workbook
 ) -> tuple[CheckedWorkbook, CheckedWorkbook | None]:
     """Check a workbook for who counts afterwards, and then shows one of the two.
 
-    Args: see `check_file`.
+    Of a workbook that was issued to somebody else the reading is told, and whose it is not.
+
+    Args:
+        source, course, policy, read: see `check_file`.
+        who: id of the student who asks.
 
     Returns:
         What is said of the reading alone, and all that the policy may tell; None for that where
@@ -77,10 +99,17 @@ def check_both_ways(
         UsageError: see `check_file`.
     """
     plan, submission = _understood(source, course, read)
-    alone = _checked(submission, plan, policy, Tells.READING, None)
+    if submission.identity.student not in ("", who):
+        said = message(
+            "This workbook was issued to another student: its numbers are not compared. Choose "
+            "your own."
+        )
+        other = replace(submission, remarks=(said, *submission.remarks))
+        return _checked(other, plan, policy, Tells.READING), None
+    alone = _checked(submission, plan, policy, Tells.READING)
     if policy.check.tells is Tells.READING:
         return alone, None
-    return alone, _checked(submission, plan, policy, policy.check.tells, None)
+    return alone, _checked(submission, plan, policy, policy.check.tells)
 
 
 def _understood(source: Readable, course: Course, read: Read) -> tuple[Plan, Submission]:
@@ -106,19 +135,9 @@ def _understood(source: Readable, course: Course, read: Read) -> tuple[Plan, Sub
     return plan, interpret(raw, plan.quantities.values())
 
 
-def _checked(
-    submission: Submission, plan: Plan, policy: Policy, tells: Tells, left: int | None
-) -> CheckedWorkbook:
+def _checked(submission: Submission, plan: Plan, policy: Policy, tells: Tells) -> CheckedWorkbook:
     checked = self_check(submission, plan, policy, tells)
-    return CheckedWorkbook(plan, checked.answers, checked.sections, submission.remarks, left)
-
-
-def _told(policy: Policy, ledger: CheckLedger | None) -> tuple[Tells, int | None]:
-    """Return how much is told now, and how often more than the reading will be."""
-    if ledger is None or policy.check.tells is Tells.READING:
-        return Tells.READING, None
-    left = take_one(ledger, policy.check.times)
-    return (Tells.READING, 0) if left is None else (policy.check.tells, left)
+    return CheckedWorkbook(plan, checked.answers, checked.sections, submission.remarks, None)
 
 
 def _refusal(file: str, what: Message, remedy: Message) -> UsageError:

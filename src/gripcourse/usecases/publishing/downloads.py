@@ -26,7 +26,7 @@ def hand_ins_to_pack(context: DeskContext) -> tuple[ToPack, ...]:
         OSError: a file is lost or cannot be read.
     """
     hand_ins = context.desk.hand_ins()
-    last = latest(hand_ins)
+    last = latest(context, hand_ins)
     found = tuple(
         ToPack(
             part_of_name(name_in_folder(one))

@@ -13,6 +13,7 @@ from gripcourse.access.desk.model import Allowance, HandIn
 from gripcourse.errors import Problem, UsageError
 from gripcourse.machine.content import NamedBytes
 from gripcourse.machine.files import make_private_folder, write_bytes
+from gripcourse.machine.spreadsheet.by_content import is_workbook
 from gripcourse.text.shown import shown
 from gripcourse.text.words import Message, message
 from gripcourse.usecases.serving.desk import DeskContext
@@ -23,6 +24,8 @@ _MOST: Final = 200_000_000
 _NAMELESS: Final = "file"
 _LONGEST_NAME: Final = 120
 _LONGEST_SUFFIX: Final = 10
+_MAY_HOLD: Final = (b"PK", b"\xd0\xcf\x11\xe0", b"Rar!", b"7z\xbc\xaf", b"\x1f\x8b")
+"""How workbooks and what may have one in it begin: `.xlsx`, `.ods`, `.docx`, `.xls`, archives."""
 _PURPOSE: Final = b"gripcourse receipt 1\n"
 
 
@@ -33,11 +36,14 @@ class Receipt:
     Attributes:
         hand_in: number, hash, size, name and time.
         late: whether the deadline was over; hours of grace do not change that.
+        is_workbook: whether it is one by its content, whatever it is called; whether it can be
+            used is told by a check, and by grading.
         code: HMAC over all of it with the course's key; who has the key can verify it.
     """
 
     hand_in: HandIn
     late: bool
+    is_workbook: bool
     code: str
 
 
@@ -95,7 +101,12 @@ def receipt_of(context: DeskContext, issued: Issued, kept: HandIn) -> Receipt:
         )
     )
     made = hmac.new(context.key, _PURPOSE + signed.encode(), hashlib.sha256)
-    return Receipt(kept, is_late(context, issued, kept.at), made.hexdigest()[:32])
+    return Receipt(
+        hand_in=kept,
+        late=is_late(context, issued, kept.at),
+        is_workbook=is_workbook(kept_path(context, kept.digest)),
+        code=made.hexdigest()[:32],
+    )
 
 
 def is_late(context: DeskContext, issued: Issued, at: datetime) -> bool:
@@ -109,9 +120,31 @@ def kept_path(context: DeskContext, digest: str) -> Path:
     return context.private / "handed_in" / digest
 
 
-def latest(hand_ins: Iterable[HandIn]) -> dict[str, HandIn]:
-    """Return the last workbook of each student; drawings are looked at by persons."""
-    return {one.student: one for one in hand_ins if not one.is_drawing}
+def latest(context: DeskContext, hand_ins: Iterable[HandIn]) -> dict[str, HandIn]:
+    """Return the last workbook of each student; drawings are looked at by persons.
+
+    A photograph, a table of text or a drawing of another program takes no workbook's place: of
+    such a file only somebody's last is returned who has handed in nothing else.
+    """
+    found: dict[str, HandIn] = {}
+    for one in (one for one in hand_ins if not one.is_drawing):
+        before = found.get(one.student)
+        if (
+            before is None
+            or _may_hold_answers(context, one)
+            or not _may_hold_answers(context, before)
+        ):
+            found[one.student] = one
+    return found
+
+
+def _may_hold_answers(context: DeskContext, one: HandIn) -> bool:
+    """Tell by its first bytes whether a file may be a workbook, or an archive or text with one."""
+    try:
+        with kept_path(context, one.digest).open("rb") as stream:
+            return stream.read(max(map(len, _MAY_HOLD))).startswith(_MAY_HOLD)
+    except FileNotFoundError:  # who reads it says so
+        return True
 
 
 def name_in_folder(one: HandIn) -> str:
@@ -131,7 +164,7 @@ def collect_hand_ins(context: DeskContext, out: Path) -> Mapping[str, Path]:
     """
     make_private_folder(out)
     written: dict[str, Path] = {}
-    for student, one in latest(context.desk.hand_ins()).items():
+    for student, one in latest(context, context.desk.hand_ins()).items():
         path = out / name_in_folder(one)
         write_bytes(path, kept_path(context, one.digest).read_bytes(), private=True)
         # Lateness is counted from when it was handed in, not from when it was collected.

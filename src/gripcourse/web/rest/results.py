@@ -19,6 +19,7 @@ class ReceiptResult:
         digest: SHA-256 of its bytes, hexadecimal.
         received: when it was safe on the disk.
         late: whether the last day for handing in was over.
+        workbook: whether it is a workbook by its content; false for drawings too.
         code: of the receipt; the course's instructors can verify it.
     """
 
@@ -30,6 +31,7 @@ class ReceiptResult:
     digest: str
     received: datetime
     late: bool
+    workbook: bool
     code: str
 
 

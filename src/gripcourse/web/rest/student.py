@@ -122,7 +122,16 @@ def ask_again(call: StudentCall) -> RequestResult | WebRefusal:
 def receipt_result(made: Receipt) -> ReceiptResult:
     """Return a receipt as programs get it."""
     one = made.hand_in
-    return ReceiptResult(one.number, one.name, one.size, one.digest, one.at, made.late, made.code)
+    return ReceiptResult(
+        number=one.number,
+        name=one.name,
+        size=one.size,
+        digest=one.digest,
+        received=one.at,
+        late=made.late,
+        workbook=made.is_workbook,
+        code=made.code,
+    )
 
 
 def request_result(made: RegradeRequest) -> RequestResult:
