@@ -107,6 +107,10 @@ def student(seat: Seat) -> Response:
         "hand_ins": [receipt_of(context, row.issued, one) for one in context.desk.hand_ins(id_)],
         "checks": context.desk.checks(id_),
         "attempts": book.attempts({id_}),
+        "results": [
+            (one, seat.words.say(one.outcome.traits.word))
+            for one in (() if row.attempt is None else row.attempt.results)
+        ],
         "marks": [entry.mark for entry in book.entries({id_})],
         "requests": context.desk.requests(id_),
         "report": published is not None and published.pdf is not None,
