@@ -10,6 +10,7 @@ from gripcourse.access.lti.model import Stranger
 from gripcourse.access.lti.platforms import load_platforms
 from gripcourse.text.words import Message, message
 from gripcourse.usecases.serving.lti import bind, chosen_platform, platform_names, store_of
+from gripcourse.web.group import by_group_and_name
 from gripcourse.web.refusals import NOT_FOUND, unless_in_conflict
 from gripcourse.web.seat import Seat, desk_route
 from gripcourse.web.site import Site
@@ -38,7 +39,7 @@ def people(seat: Seat) -> Response:
             (one, names.get((one.issuer, one.client), one.issuer), seat.words.say(_why(one)))
             for one in store.strangers()
         ],
-        "students": sorted(students, key=lambda one: (one.group, one.name)),
+        "students": sorted(students, key=by_group_and_name),
     }
     return seat.page("people", values)
 
