@@ -1,5 +1,6 @@
 """The instructor's desk: signing in once, the group, publishing; nothing without a session."""
 
+import os
 from datetime import timedelta
 from typing import TYPE_CHECKING
 
@@ -117,6 +118,7 @@ def test_the_group_is_searched_by_name_group_and_state(signed_in: TestClient) ->
 
     assert found() == 3
     assert found(find="шевч") == 1
+    assert found(find="ШЕВЧ") == 1
     assert found(group="РТК-41") == 2
     assert found(find="nobody") == 0
     assert found(state="missing") + found(state="handed_in") == 3
@@ -150,6 +152,23 @@ def test_results_are_seen_from_publication_to_withdrawal(
         (True, "Dr. Ноль", "<b>term</b> over"),
         (False, "Dr. Ноль", "a mistake"),
     ]
+
+
+def test_whoever_publishes_is_told_what_was_not_graded_yet(
+    server: "Server", signed_in: TestClient, filled: bytes, tmp_path: "Path"
+) -> None:
+    """Marks that were entered after the last grading are in no report yet."""
+    server.client().post(f"{server.home('s01')}hand-in", files={"file": ("a.xlsx", filled)})
+    server.grade(tmp_path)
+    grades = server.graded / "grades.json"
+    said = "Newer than the last grading"
+
+    def page(graded_at: timedelta) -> str:
+        os.utime(grades, ((server.clock.now + graded_at).timestamp(),) * 2)
+        return signed_in.get("/desk/", headers={"accept-language": "en"}).text
+
+    assert f"{said}, and not in it: marks of persons 0, workbooks 1" in page(-timedelta(hours=1))
+    assert said not in page(timedelta(hours=1))
 
 
 def test_two_clicks_publish_twice_and_students_see_the_results(

@@ -68,11 +68,51 @@ def test_an_item_is_marked_by_its_rubric_and_the_next_one_is_a_key_away(
     assert (mark.quantity, mark.marker, mark.comment) == (DRAWING, "Dr. Ноль", "<b>well</b> drawn")
     assert mark.credit == pytest.approx(0.55)
     assert PAGE not in places(signed_in.get("/desk/marking").text)
-    assert signed_in.get(PAGE).status_code == 404
+
+
+def marked(browser: "TestClient", page: str, **values: str) -> str:
+    """Send what an instructor enters on a page of marking, and return what is shown then."""
+    seen = re.search(r'name="seen" value="(\d+)"', browser.get(page).text)
+    assert seen is not None
+    draft = {"form_key": form_key(browser), "seen": seen[1], **values}
+    return unescape(browser.post(page, data=draft).text)
+
+
+def test_a_mark_is_corrected_where_it_was_entered(
+    graded: "Server", signed_in: "TestClient"
+) -> None:
+    lines = LINES | {"line:sizes": "0"}
+    marked(signed_in, PAGE, **LINES, comment="too much")
+    page = unescape(signed_in.get(PAGE).text)
+    assert "“too much”" in page
+    assert PAGE in places(signed_in.get("/desk/student/s01").text)
+    marked(signed_in, PAGE, **lines, comment="rather so")
+    marks = [one.mark for one in book(graded).entries({"s01"}) if one.mark.quantity == DRAWING]
+    assert [one.comment for one in marks[-2:]] == ["too much", "rather so"]
+    assert marks[-1].credit == pytest.approx(0.15)
+
+
+def test_what_the_program_found_is_overruled_with_a_reason(
+    graded: "Server", signed_in: "TestClient"
+) -> None:
+    """A student asks for another look: whoever answers needs no command line."""
+    page = "/desk/marking/s01/grip_force"
+    assert page in places(signed_in.get("/desk/student/s01").text)
+    shown = signed_in.get(page).text
+    assert "The program found" in shown
+    assert 'rel="next"' not in shown
+    refused = marked(signed_in, page, credit="0.5", comment="")
+    assert 'role="alert"' in refused
+    after = marked(signed_in, page, credit="0.5", comment="Read wrongly by us.")
+    assert "Read wrongly by us." in after
+    (mark,) = [
+        one.mark for one in book(graded).entries({"s01"}) if one.mark.quantity == "grip_force"
+    ]
+    assert (mark.credit, mark.marker) == (0.5, "Dr. Ноль")
 
 
 def test_nothing_waits_of_who_is_not_there(signed_in: "TestClient") -> None:
-    for path in ("nobody/general_view_drawing", "s01/grip_force", "s01/nothing"):
+    for path in ("nobody/general_view_drawing", "s01/nothing"):
         assert signed_in.get(f"/desk/marking/{path}").status_code == 404
 
 

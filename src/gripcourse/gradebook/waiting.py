@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from gripcourse.gradebook.model import (
     Attempt,
     GradebookEntry,
+    Result,
     is_outdated,
     latest_marks,
 )
@@ -31,6 +32,44 @@ class Waiting:
     again: bool
 
 
+@dataclass(frozen=True, slots=True)
+class ItemNow:
+    """An item of a student's last work as it stands, whether it waits for a person or not.
+
+    Attributes:
+        item: as one that somebody looks at.
+        found: what the program found.
+        marked: the mark that counts; None for none.
+    """
+
+    item: Waiting
+    found: Result
+    marked: GradebookEntry | None
+
+    @property
+    def overrules(self) -> bool:
+        """Whether a mark of it overrules what the program found."""
+        return not self.found.outcome.traits.waits
+
+
+def item_now(
+    attempt: Attempt, marked: Mapping[str, GradebookEntry], quantity: str
+) -> ItemNow | None:
+    """Return how an item of an attempt stands; None where it has no such item.
+
+    Args:
+        attempt: the student's last one that was judged.
+        marked: the marks of the student that count, by quantity.
+        quantity: id of the item.
+    """
+    found, entry = attempt.by_quantity.get(quantity), marked.get(quantity)
+    if found is None:
+        return None
+    again = entry is not None and is_outdated(entry, attempt.digest, attempt.results)
+    item = Waiting(attempt.student, quantity, attempt.file, found.outcome, again)
+    return ItemNow(item, found, entry)
+
+
 def waiting(attempts: Iterable[Attempt], entries: Iterable[GradebookEntry]) -> tuple[Waiting, ...]:
     """Return what waits for a person, by student and in the order of the assignment.
 
@@ -50,7 +89,6 @@ def waiting(attempts: Iterable[Attempt], entries: Iterable[GradebookEntry]) -> t
 
 def _waiting(attempt: Attempt, marked: Mapping[str, GradebookEntry]) -> Iterator[Waiting]:
     for result in attempt.results:
-        entry = marked.get(result.quantity)
-        again = entry is not None and is_outdated(entry, attempt.digest, attempt.results)
-        if again or (entry is None and result.outcome.traits.waits):
-            yield Waiting(attempt.student, result.quantity, attempt.file, result.outcome, again)
+        now = item_now(attempt, marked, result.quantity)
+        if now is not None and (now.item.again or (now.marked is None and not now.overrules)):
+            yield now.item

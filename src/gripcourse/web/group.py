@@ -1,17 +1,19 @@
 """The group as a table: who has handed in, who has a score, who asks for something."""
 
 from collections import Counter
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
+from datetime import datetime
 from enum import StrEnum
 
 from gripcourse.access.desk.model import HandIn
 from gripcourse.gradebook.model import Attempt, GradebookEntry, latest_marks_of_all
 from gripcourse.gradebook.store import Gradebook
 from gripcourse.gradebook.works import latest_judged, points_of
+from gripcourse.text.spelling import alphabetical, plain
 from gripcourse.usecases.serving.desk import DeskContext
 from gripcourse.usecases.serving.hand_in import is_late, latest
-from gripcourse.variants.model import Issued
+from gripcourse.variants.model import Issued, Student
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,6 +42,13 @@ class GroupMember:
     def points(self) -> float:
         """What the last work came to, with the marks of persons."""
         return 0.0 if self.attempt is None else points_of(self.attempt.results, self.marked).score
+
+
+def newer_than(rows: Iterable[GroupMember], at: datetime) -> tuple[int, int]:
+    """Return how many marks of persons and last workbooks came after something was graded."""
+    found = tuple(rows)
+    marks = sum(entry.mark.marked_at > at for row in found for entry in row.marked.values())
+    return marks, sum(row.hand_in is not None and row.hand_in.at > at for row in found)
 
 
 class GroupState(StrEnum):
@@ -77,16 +86,26 @@ class Wish:
             GroupState.ASKS: row.requests > 0,
         }
         return (
-            self.find.casefold() in f"{person.id} {person.name}".casefold()
+            plain(self.find) in plain(f"{person.id} {person.name}")
             and self.group in ("", person.group)
             and states[self.state]
         )
 
 
+def by_group_and_name(one: Student) -> tuple[list[str | int], list[str | int]]:
+    """Return by what students are sorted."""
+    return alphabetical(one.group), alphabetical(one.name)
+
+
+def groups_of(rows: Iterable[GroupMember]) -> list[str]:
+    """Return the groups that there are, in order."""
+    return sorted({row.issued.student.group for row in rows} - {""}, key=alphabetical)
+
+
 def rows_of(context: DeskContext) -> tuple[GroupMember, ...]:
     """Return everybody, by group and name."""
     rows = _members(context, context.register(), None)
-    return tuple(sorted(rows, key=lambda row: (row.issued.student.group, row.issued.student.name)))
+    return tuple(sorted(rows, key=lambda row: by_group_and_name(row.issued.student)))
 
 
 def row_of(context: DeskContext, student: str) -> GroupMember | None:

@@ -14,7 +14,15 @@ from gripcourse.usecases.publishing.publish import current, published_grades, pu
 from gripcourse.usecases.serving.hand_in import kept_path, receipt_of
 from gripcourse.usecases.serving.sign_in import SESSION_HOURS, sign_in
 from gripcourse.web import acts
-from gripcourse.web.group import GroupMember, GroupState, Wish, row_of, rows_of
+from gripcourse.web.group import (
+    GroupMember,
+    GroupState,
+    Wish,
+    groups_of,
+    newer_than,
+    row_of,
+    rows_of,
+)
 from gripcourse.web.overview import flags_of, titles_of
 from gripcourse.web.pages import notice, page, visitor_words
 from gripcourse.web.rates import SIGN_INS
@@ -81,11 +89,13 @@ def group(seat: Seat) -> Response:
     )
     everybody = rows_of(seat.site.context)
     batch = seat.site.batches.read(seat.site.graded)
+    marks, files = (0, 0) if batch is None else newer_than(everybody, batch.at)
     values: dict[str, object] = {
+        "newer": {"marks": marks, "files": files} if marks or files else None,
         "rows": [row for row in everybody if wish.meets(row)],
         "everybody": len(everybody),
         "handed_in": sum(row.hand_in is not None for row in everybody),
-        "groups": sorted({row.issued.student.group for row in everybody} - {""}),
+        "groups": groups_of(everybody),
         "wish": wish,
         "published": current(seat.site.context),
         "can_publish": seat.site.graded is not None,
@@ -107,6 +117,10 @@ def student(seat: Seat) -> Response:
         "hand_ins": [receipt_of(context, row.issued, one) for one in context.desk.hand_ins(id_)],
         "checks": context.desk.checks(id_),
         "attempts": book.attempts({id_}),
+        "results": [
+            (one, seat.words.say(one.outcome.traits.word))
+            for one in (() if row.attempt is None else row.attempt.results)
+        ],
         "marks": [entry.mark for entry in book.entries({id_})],
         "requests": context.desk.requests(id_),
         "report": published is not None and published.pdf is not None,

@@ -1,8 +1,12 @@
-"""Marking at the desk: what waits for a person, one item after the other, by its rubric."""
+"""Marking at the desk: what waits for a person, one item after the other, by its rubric.
+
+Any other item of a student's last work has such a page too: a mark is corrected there, and what the
+program found is overruled.
+"""
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from http import HTTPStatus
 from typing import Final
 from urllib.parse import quote
@@ -13,12 +17,12 @@ from starlette.routing import Route
 from gripcourse.course.quantity import Quantity
 from gripcourse.errors import UsageError
 from gripcourse.gradebook.enter import Draft
-from gripcourse.gradebook.waiting import Waiting
+from gripcourse.gradebook.waiting import ItemNow, Waiting
 from gripcourse.machine.database.home import home_of
 from gripcourse.policy.rubric import Rubric
 from gripcourse.solver.plan import plan_of
 from gripcourse.text.words import Words
-from gripcourse.usecases.marks.mark import what_waits
+from gripcourse.usecases.marks.mark import item_of, what_waits
 from gripcourse.usecases.serving.desk import DeskContext
 from gripcourse.usecases.serving.hand_in import receipt_of
 from gripcourse.variants.model import Issued
@@ -83,8 +87,9 @@ def item_to_mark(seat: Seat) -> Response:
 
 def mark(seat: Seat) -> Response:
     """Keep a mark, and go on with the next item."""
-    here = _place(seat)
-    following = _neighbour(_waiting(seat), here, 1)
+    waits, here = _waiting(seat), _place(seat)
+    places = [(one.student, one.quantity) for one in waits]
+    following = _neighbour(waits, here, 1)
     texts = seat.sent.texts
     lines = {
         name.removeprefix(_LINE): _number(text)
@@ -98,6 +103,8 @@ def mark(seat: Seat) -> Response:
         credit=_number(texts["credit"]) if texts.get("credit") else None,
         comment=texts.get("comment", "").strip()[:LONGEST_COMMENT],
     )
+    now = _item_now(seat)
+    draft = replace(draft, override=now is not None and now.overrules)
     try:
         made = keep_mark(seat.site, seat.name, draft, texts.get("seen"))
     except UsageError as refused:
@@ -107,15 +114,17 @@ def mark(seat: Seat) -> Response:
     if isinstance(made, WebRefusal):
         return seat.refuse(made)
     address = f"{seat.home}marking" if following is None else _address(seat, *following)
+    if here not in places:
+        address = f"{seat.home}student/{quote(here[0], safe='')}"
     return RedirectResponse(address, HTTPStatus.SEE_OTHER)
 
 
 def _shown(seat: Seat, typed: Mapping[str, str], faults: Sequence[str]) -> Response:
-    waits, here = _waiting(seat), _place(seat)
-    wanted = next((one for one in waits if (one.student, one.quantity) == here), None)
-    item = None if wanted is None else to_mark(seat.site.context, wanted)
-    if item is None:
+    waits, here, now = _waiting(seat), _place(seat), _item_now(seat)
+    item = None if now is None else to_mark(seat.site.context, now.item)
+    if item is None or now is None:
         return seat.refuse(NOT_FOUND)
+    places = [(one.student, one.quantity) for one in waits]
     context = seat.site.context
     drawings = drawings_of(context.desk.hand_ins(here[0]))
     asked = seat.request.query_params
@@ -132,7 +141,11 @@ def _shown(seat: Seat, typed: Mapping[str, str], faults: Sequence[str]) -> Respo
         "rubric": None if item.rubric is None else _form(item.rubric, typed, seat.words),
         "place": _address(seat, *here),
         "seen": marks_seen(seat.site, *here),
-        "number": [(one.student, one.quantity) for one in waits].index(here) + 1,
+        "found": now.found if now.overrules else None,
+        "found_word": seat.words.say(now.found.outcome.traits.word),
+        "typed": _typed(seat, *here),
+        "marked": None if now.marked is None else now.marked.mark,
+        "number": places.index(here) + 1 if here in places else 0,
         "count": len(waits),
         "previous": None if neighbours[-1] is None else _address(seat, *neighbours[-1]),
         "next": None if neighbours[1] is None else _address(seat, *neighbours[1]),
@@ -179,6 +192,17 @@ def to_mark(context: DeskContext, waits: Waiting) -> ItemToMark | None:
     by_rubric = waits.outcome.traits.by_rubric
     rubric = context.policy.rubrics[quantity.rubric] if by_rubric else None
     return ItemToMark(issued, quantity, rubric, waits.again)
+
+
+def _typed(seat: Seat, student: str, item: str) -> str:
+    """Return what stands in the cell, as the last batch read it; empty for nothing."""
+    batch = seat.site.batches.read(seat.site.graded)
+    works = () if batch is None else batch.of(student)
+    return works[-1].typed.get(item, "") if works else ""
+
+
+def _item_now(seat: Seat) -> ItemNow | None:
+    return item_of(home_of(seat.site.context.course.root), *_place(seat))
 
 
 def _waiting(seat: Seat) -> tuple[Waiting, ...]:

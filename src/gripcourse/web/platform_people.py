@@ -13,6 +13,7 @@ from gripcourse.usecases.serving.lti import (
     store_of,
     why_not_told,
 )
+from gripcourse.web.group import by_group_and_name
 from gripcourse.web.refusals import NOT_FOUND, unless_in_conflict
 from gripcourse.web.seat import Seat, desk_route
 from gripcourse.web.site import Site
@@ -38,7 +39,7 @@ def people(seat: Seat) -> Response:
             )
             for one in store.strangers()
         ],
-        "students": sorted(students, key=lambda one: (one.group, one.name)),
+        "students": sorted(students, key=by_group_and_name),
     }
     return seat.page("people", values)
 

@@ -88,11 +88,11 @@ def check_both_ways(
     Of a workbook that was issued to somebody else the reading is told, and whose it is not.
 
     Args:
-        source: see `check_file`, as the course, the policy and the reader are.
+        source: a file, or its bytes.
         course: whose workbook it is.
-        policy: what may be told.
+        policy: for the bands.
         who: id of the student who asks.
-        read: reads it.
+        read: reads the file.
 
     Returns:
         What is said of the reading alone, and all that the policy may tell; None for that where

@@ -9,6 +9,7 @@ from gripcourse.course.model import Course
 from gripcourse.documents.handout_list import handout_list
 from gripcourse.issuing.store import read_register
 from gripcourse.machine.files import write_bytes
+from gripcourse.text.spelling import alphabetical
 from gripcourse.text.words import Words
 from gripcourse.usecases.issuing.handout import Handout, sheet_path
 
@@ -35,7 +36,8 @@ def print_sheets(
     register = read_register(course.root, course.id).by_student()
     sheets = {one.student: sheet_path(out, one.student) for one in handouts}
     entries = [register[student] for student, sheet in sheets.items() if sheet.is_file()]
-    entries.sort(key=lambda one: one.student.group)  # stable: else in the order of the roster
+    # Stable: within a group the order of the roster.
+    entries.sort(key=lambda one: alphabetical(one.student.group))
     listed = handout_list(entries, course, Words(course.language), day)
     parts = [listed, *(sheets[one.student.id].read_bytes() for one in entries)]
     write_bytes(target, joined(parts), private=True)

@@ -13,7 +13,7 @@ from gripcourse.gradebook.enter import Draft, EntryFault, Standing, mark_of
 from gripcourse.gradebook.model import Attempt, GradebookEntry, Mark, latest_marks
 from gripcourse.gradebook.store import Gradebook, open_gradebook
 from gripcourse.gradebook.table import read_marks
-from gripcourse.gradebook.waiting import Waiting, waiting
+from gripcourse.gradebook.waiting import ItemNow, Waiting, item_now, waiting
 from gripcourse.gradebook.works import latest_judged
 from gripcourse.machine.content import Readable
 from gripcourse.machine.database.home import exists
@@ -73,6 +73,19 @@ def what_waits(place: str) -> tuple[Waiting, ...]:
     """
     book = existing_gradebook(place)
     return waiting(book.standing(), book.entries())
+
+
+def item_of(place: str, student: str, quantity: str) -> ItemNow | None:
+    """Return how an item of a student's last judged work stands; None where there is none.
+
+    Raises:
+        GradebookError: there is no gradebook, or it cannot be used.
+    """
+    book = existing_gradebook(place)
+    attempt = latest_judged(book.standing({student})).get(student)
+    if attempt is None:
+        return None
+    return item_now(attempt, latest_marks(book.entries({student})), quantity)
 
 
 def write_waiting(waits: Sequence[Waiting], context: GradingContext, place: str, out: Path) -> None:

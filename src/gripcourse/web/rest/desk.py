@@ -10,7 +10,7 @@ from gripcourse.usecases.publishing.publish import current, published_grades, pu
 from gripcourse.usecases.serving.hand_in import kept_path, receipt_of
 from gripcourse.usecases.serving.sign_in import SESSION_HOURS, sign_in
 from gripcourse.web import acts
-from gripcourse.web.group import GroupMember, Wish, row_of, rows_of
+from gripcourse.web.group import GroupMember, Wish, groups_of, row_of, rows_of
 from gripcourse.web.rates import SIGN_INS
 from gripcourse.web.refusals import NOT_FOUND, NOT_PUBLISHED, SIGN_IN, Code, WebRefusal
 from gripcourse.web.rest.declare import ApiOperation, DeskCall, SentFile, TokenRole
@@ -60,7 +60,7 @@ def group(call: DeskCall) -> GroupResult:
     return GroupResult(
         everybody=len(everybody),
         handed_in=sum(row.hand_in is not None for row in everybody),
-        groups=tuple(sorted({row.issued.student.group for row in everybody} - {""})),
+        groups=tuple(groups_of(everybody)),
         members=tuple(_member(row) for row in everybody if wish.meets(row)),
         publication=None if published is None else _publication(published),
     )

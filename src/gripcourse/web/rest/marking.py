@@ -8,7 +8,7 @@ from gripcourse.errors import UsageError
 from gripcourse.gradebook.enter import Draft
 from gripcourse.machine.database.home import home_of
 from gripcourse.text.words import Words
-from gripcourse.usecases.marks.mark import what_waits
+from gripcourse.usecases.marks.mark import item_of, what_waits
 from gripcourse.usecases.serving.hand_in import receipt_of
 from gripcourse.web import acts
 from gripcourse.web.desk_acts import keep_mark, marks_seen
@@ -37,14 +37,10 @@ def marking(call: DeskCall) -> MarkingResult:
 
 
 def item(call: DeskCall) -> ItemResult | WebRefusal:
-    """An item that waits for a person: its rubric, the student's files and what was asked."""
+    """An item of a student's last work: its rubric, the student's files and what was asked."""
     context, (student, quantity) = call.site.context, _place(call)
-    found = (
-        to_mark(context, one)
-        for one in what_waits(home_of(context.course.root))
-        if (one.student, one.quantity) == (student, quantity)
-    )
-    wanted = next(found, None)
+    now = item_of(home_of(context.course.root), student, quantity)
+    wanted = None if now is None else to_mark(context, now.item)
     if wanted is None:
         return NOT_FOUND
     return ItemResult(
