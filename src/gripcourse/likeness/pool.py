@@ -1,8 +1,9 @@
 """All numbers of all submissions side by side, and what explains each of them without copying."""
 
 from array import array
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from itertools import accumulate, islice
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,9 +12,10 @@ from gripcourse.likeness.cells import Floats, Ints
 from gripcourse.likeness.issued import IssuedValues
 from gripcourse.likeness.matches import ComparedNumbers, Matches, Spread, density, last_unit
 from gripcourse.likeness.model import Chances, ComparedWork
-from gripcourse.likeness.typed_numbers import TypedNumbers
+from gripcourse.slips.model import SlipId
 
 _FILLER = 3  # unexplained cells with the same number: typed to fill them, not computed
+_AT_ONCE = 100  # submissions that are looked into together
 _SAME_RATIO = 1e-3  # relative: as exactly as people type
 
 Flags = NDArray[np.bool_]
@@ -56,30 +58,27 @@ class ComparisonPool:
 def pool(works: Iterable[ComparedWork], issued: IssuedValues) -> ComparisonPool:
     """Put the numbers of submissions side by side; all students own a row of issued values.
 
-    Each is looked into once: it is asked for, and let go when the next one comes.
+    Each is looked into once: it is asked for, and let go when the next ones come.
     """
     rows = {student: row for row, student in enumerate(issued.owners)}
     columns = _Columns(issued.columns)
     students: list[str] = []
-    slips: dict[tuple[int, object], int] = {}
-    of_slip = array("i")
-    of_row, of_column, told, values, units = (array(kind) for kind in "iibdd")
-    for row, work in enumerate(works):
-        students.append(work.student)
-        column, order = columns.of(work.numbers.names)
-        usable = _usable(work.numbers)
-        chosen = order if usable.all() else order[usable[order]]
-        value = work.numbers.values[chosen]
-        slip = np.full(len(usable), -1, dtype=np.int32)
-        for place, one in work.numbers.slips.items():
-            if usable[place] and column[place] >= 0:
-                slip[place] = slips.setdefault((int(column[place]), one), len(slips))
-        of_row.frombytes(np.full(len(chosen), row, dtype=np.int32).tobytes())
-        of_column.frombytes(column[chosen].tobytes())
-        told.frombytes(work.numbers.explained[chosen].tobytes())
+    slips: dict[tuple[int, SlipId], int] = {}
+    of_row, of_column, told, values, units, of_slip = (array(kind) for kind in "iibddi")
+    left = iter(works)
+    while portion := tuple(islice(left, _AT_ONCE)):
+        found = _Laid.of(portion, columns)
+        usable = found.usable
+        slip = found.slips(portion, usable, slips)
+        chosen = found.chosen(usable)
+        value = found.value[chosen]
+        of_row.frombytes((found.row[chosen] + len(students)).tobytes())
+        of_column.frombytes(found.column[chosen].tobytes())
+        told.frombytes(found.explained[chosen].tobytes())
         values.frombytes(value.tobytes())
-        units.frombytes(last_unit(value, work.numbers.half_units[chosen]).tobytes())
+        units.frombytes(last_unit(value, found.half_unit[chosen]).tobytes())
         of_slip.frombytes(slip[chosen].tobytes())
+        students += (work.student for work in portion)
     column, slip = np.frombuffer(of_column, np.int32), np.frombuffer(of_slip, np.int32)
     quantity = np.array([place for place, _ in slips], dtype=np.intp)
     return ComparisonPool(
@@ -104,31 +103,78 @@ class _Columns:
     """Columns of quantities; of works that are asked for the same ones they are found once."""
 
     by_quantity: Mapping[str, int]
-    found: dict[str, tuple[NDArray[np.int32], Ints]] = field(default_factory=dict)
+    found: dict[str, NDArray[np.int32]] = field(default_factory=dict)
 
-    def of(self, names: str) -> tuple[NDArray[np.int32], Ints]:
-        """Return the columns of the quantities of a work, −1 where no variant has one; their order.
-
-        The order has places of those alone that have a column.
-        """
+    def of(self, names: str) -> NDArray[np.int32]:
+        """Return the columns of the quantities of a work, −1 where no variant has one."""
         if names not in self.found:
-            columns = np.array([self.by_quantity.get(one, -1) for one in names.split()], np.int32)
-            order = np.argsort(columns, kind="stable")
-            self.found[names] = columns, order[columns[order] >= 0]
+            columns = [self.by_quantity.get(one, -1) for one in names.split()]
+            self.found[names] = np.array(columns, np.int32)
         return self.found[names]
 
 
-def _usable(numbers: TypedNumbers) -> Flags:
-    """Tell which numbers can say anything: a nought is nobody's, and nor is what fills cells."""
-    value, explained = numbers.values, numbers.explained
-    usable: Flags = (value != 0) & np.isfinite(value)
-    wrong = np.flatnonzero(~explained)
-    if len(wrong) < _FILLER:
+@dataclass(frozen=True, slots=True)
+class _Laid:
+    """The numbers of some submissions, as they were typed, one after another.
+
+    Attributes:
+        row: which of these submissions each is of.
+        column: quantity of each; −1 where no variant has it.
+        value, half_unit, explained: of each; see `Typed`.
+        begins: (submissions,); where the numbers of each begin.
+    """
+
+    row: NDArray[np.int32]
+    column: NDArray[np.int32]
+    value: Floats
+    half_unit: Floats
+    explained: Flags
+    begins: Sequence[int]
+
+    @classmethod
+    def of(cls, works: Sequence[ComparedWork], columns: _Columns) -> "_Laid":
+        """Lay them out."""
+        numbers = [work.numbers for work in works]
+        counts = [len(one) for one in numbers]
+        return cls(
+            row=np.repeat(np.arange(len(works), dtype=np.int32), counts),
+            column=np.concatenate([columns.of(one.names) for one in numbers]),
+            value=np.concatenate([one.values for one in numbers]),
+            half_unit=np.concatenate([one.half_units for one in numbers]),
+            explained=np.concatenate([one.explained for one in numbers]),
+            begins=[0, *accumulate(counts[:-1])],
+        )
+
+    def slips(
+        self, works: Sequence[ComparedWork], usable: Flags, known: dict[tuple[int, SlipId], int]
+    ) -> NDArray[np.int32]:
+        """Return the number of the slip of each, −1 where there is none; new ones become known."""
+        slip = np.full(len(self.value), -1, dtype=np.int32)
+        for begin, work in zip(self.begins, works, strict=True):
+            for place, one in work.numbers.slips.items():
+                if usable[begin + place]:
+                    key = int(self.column[begin + place]), one
+                    slip[begin + place] = known.setdefault(key, len(known))
+        return slip
+
+    def chosen(self, usable: Flags) -> Ints:
+        """Return the places of those that can say anything, by submission, then by quantity."""
+        order = np.lexsort((self.column, self.row))
+        return order[usable[order]]
+
+    @property
+    def usable(self) -> Flags:
+        """Which can say anything: a nought is nobody's, and nor is what fills cells."""
+        usable: Flags = (self.column >= 0) & (self.value != 0) & np.isfinite(self.value)
+        wrong = np.flatnonzero(~self.explained)
+        if not len(wrong):
+            return usable
+        ordered = wrong[np.lexsort((self.value[wrong], self.row[wrong]))]
+        row, value = self.row[ordered], self.value[ordered]
+        is_first = np.r_[True, (row[1:] != row[:-1]) | (value[1:] != value[:-1])]
+        run = np.cumsum(is_first) - 1
+        usable[ordered[np.bincount(run)[run] >= _FILLER]] = False
         return usable
-    typed, counted = np.unique(value[wrong], return_counts=True)
-    filler = typed[counted >= _FILLER]
-    usable[wrong] &= ~np.isin(value[wrong], filler)
-    return usable
 
 
 def chance_of(pooled: ComparisonPool, found: Matches, chances: Chances) -> Floats:
