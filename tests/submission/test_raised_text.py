@@ -7,7 +7,7 @@ from gripcourse.submission.interpret import interpret
 from gripcourse.submission.model import Answer, Reading
 from gripcourse.submission.raw import RawWorkbook
 from gripcourse.submission.read import read_workbook
-from hostile.small_workbook import SHEET, TEXTS, holding, quantities, replaced
+from hostile.small_workbook import SHEET, holding, quantities, replaced
 
 RAISED = '<vertAlign val="superscript"/>'
 LOWERED = '<vertAlign val="subscript"/>'
