@@ -7,7 +7,7 @@ from gripcourse.submission.interpret import interpret
 from gripcourse.submission.model import Answer, Reading
 from gripcourse.submission.raw import RawWorkbook
 from gripcourse.submission.read import read_workbook
-from hostile.small_workbook import holding, quantities, replaced
+from hostile.small_workbook import SHEET, holding, quantities, replaced
 
 RAISED = '<vertAlign val="superscript"/>'
 LOWERED = '<vertAlign val="subscript"/>'
@@ -25,6 +25,11 @@ def answer(data: bytes, name: str) -> Answer:
     raw = read_workbook(NamedBytes("answers.xlsx", data))
     assert isinstance(raw, RawWorkbook)
     return interpret(raw, quantities()).answers[name]
+
+
+def angle(*written: tuple[str, str]) -> Answer:
+    cell = f'<c r="E9" t="inlineStr"><is>{pieces(*written)}</is></c>'
+    return answer(replaced(SHEET, '<c r="E9" s="2"><v>45000</v></c>', cell), "angle")
 
 
 @pytest.mark.parametrize(
