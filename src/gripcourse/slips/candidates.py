@@ -203,7 +203,7 @@ def _written(
     match place:
         case Quantity():
             symbol = text(declared_symbol(place.symbol.of(language)))
-            return f"{place.title.of(language)} ({symbol})"
+            return f"{place.short_title.of(language)} ({symbol})"
         case float():
             return format_number(place, language)
         case tuple():

@@ -165,7 +165,7 @@ def _number_left_out(around: Surroundings) -> Iterator[Rewritten]:
     def literal(node: Node) -> Mapping[str, Place] | None:
         if isinstance(node, Number):
             return {"number": node.value}
-        return {"number": math.pi} if node == Name("pi") else None
+        return {"number": "π"} if node == Name("pi") else None
 
     yield from _left_out(around, literal, "*/")
 

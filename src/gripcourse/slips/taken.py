@@ -44,21 +44,25 @@ def mass_for_weight(around: Surroundings) -> Iterator[Rewritten]:
         match node:
             case Operation("*", left, right):
                 for mass, other in ((left, right), (right, left)):
-                    if isinstance(mass, Name) and _is_mass_of(around, mass.id):
-                        if _measures(around, other, "m/s**2"):
-                            places = {"quantity": around.quantities[mass.id]}
-                            yield mass, (f"{mass.id},{mass.span[0]}", places)
+                    if _is_mass_of(around, mass) and _measures(around, other, "m/s**2"):
+                        yield mass, _mass_at(around, mass, node)
             case Name(name):
-                for mass_name in _mass_behind(around, name):
-                    places = {"quantity": around.quantities[mass_name]}
-                    yield Name(mass_name), (f"{mass_name},{node.span[0]}", places)
+                for mass in _mass_behind(around, name):
+                    yield mass, _mass_at(around, mass, node)
 
     for tree, (detail, places) in rewritings(around.formula.tree, change):
         yield Rewritten(detail, tree, places)
 
 
-def _is_mass_of(around: Surroundings, name: str) -> bool:
-    return name in around.quantities and _is_mass(around.quantities[name])
+def _is_mass_of(around: Surroundings, node: Node) -> bool:
+    one = around.quantities.get(node.id) if isinstance(node, Name) else None
+    return one is not None and _is_mass(one)
+
+
+def _mass_at(around: Surroundings, mass: Node, place: Node) -> tuple[str, Mapping[str, Place]]:
+    """Return the detail and the places of a mass that stands somewhere else."""
+    name = mass.id if isinstance(mass, Name) else ""
+    return f"{name},{place.span[0]}", {"quantity": around.quantities[name]}
 
 
 def _measures(around: Surroundings, node: Node, unit: str) -> bool:
@@ -69,12 +73,12 @@ def _measures(around: Surroundings, node: Node, unit: str) -> bool:
         return False
 
 
-def _mass_behind(around: Surroundings, name: str) -> Iterator[str]:
+def _mass_behind(around: Surroundings, name: str) -> Iterator[Name]:
     """Yield the mass that a force is computed from, where it is one."""
     one = around.quantities.get(name)
     if one is None or one.formula is None or dimension(one.unit) != dimension("N"):
         return
-    masses = [used for used in one.formula.names if _is_mass_of(around, used)]
+    masses = [Name(used) for used in one.formula.names if _is_mass_of(around, Name(used))]
     if len(masses) == 1:
         yield masses[0]
 
@@ -107,12 +111,12 @@ def counted_twice(around: Surroundings) -> Iterator[Rewritten]:
             yield Rewritten(name, renamed(tree, {name: squared}), places)
     for name in names:
         inner = around.quantities[name].formula
-        for counted in () if inner is None else inner.names:
+        known = () if inner is None else (one for one in inner.names if one in around.quantities)
+        for counted in known:
             if _concerns(around.slip, counted) and counted not in names:
-                if counted in around.quantities:
-                    again = renamed(tree, {name: Operation("*", Name(counted), Name(name))})
-                    places = {"quantity": around.quantities[counted]}
-                    yield Rewritten(f"{counted},{name}", again, places)
+                again = renamed(tree, {name: Operation("*", Name(counted), Name(name))})
+                places = {"quantity": around.quantities[counted]}
+                yield Rewritten(f"{counted},{name}", again, places)
 
 
 def other_row(around: Surroundings) -> Iterator[Rewritten]:
