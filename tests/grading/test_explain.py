@@ -123,6 +123,35 @@ class TestCertainty:
         assert {str(one) for one in (found.slip, *found.tied)} == {"one_jaw_only", "twin"}
         assert "Or:" in str(found.message)
 
+    def test_a_unit_that_comes_of_an_input_in_another_one_is_named_with_the_input(
+        self, hydraulic: "Case", typed: "Typed"
+    ) -> None:
+        """N·m over MPa is cm³: a torque in N·m gives the module in cm, which nobody thought of."""
+        module = typed("module_required", 0.1 * hydraulic.reference["module_required"], 4)
+        finding = hydraulic.findings({**hydraulic.answers, "module_required": module})[
+            "module_required"
+        ]
+        assert str(finding.slip) == "unit:cm"
+        assert [str(one) for one in finding.tied] == ["input_unit:gear_torque,0.001"]
+
+    def test_a_unit_that_is_plainly_another_one_is_named_alone(
+        self, hydraulic: "Case", typed: "Typed"
+    ) -> None:
+        torque = typed("gear_torque", 1000 * hydraulic.reference["gear_torque"], 4)
+        finding = hydraulic.findings({**hydraulic.answers, "gear_torque": torque})["gear_torque"]
+        assert (str(finding.slip), finding.tied) == ("unit:N*mm", ())
+
+    def test_a_hint_names_a_quantity_without_the_rule_behind_its_colon(
+        self, table: "tuple[Case, ...]"
+    ) -> None:
+        case = next(one for one in table if one.plan.scheme.id == "electromagnet")
+        core = case.plan.quantities["core_diameter"].title.of("en")
+        area = 4 * case.reference["pole_area"]
+        said = str(case.findings({**case.answers, "pole_area": area})["pole_area"].message)
+        assert ": " in core
+        assert core not in said
+        assert core.partition(": ")[0] in said
+
     def test_a_coarse_number_decides_nothing(
         self, hydraulic: "Case", answer: "Callable[..., Answer]"
     ) -> None:

@@ -22,6 +22,7 @@ from gripcourse.text.words import LANGUAGES
 from gripcourse.variants.space import load_spaces
 
 Slips: TypeAlias = Callable[..., dict[str, Candidate]]
+SCHEME = "rack_parallelogram"
 
 
 @pytest.fixture(scope="session")
@@ -125,6 +126,37 @@ class TestGenericSlips:
                 0.5,
             ),
             ("mass*gravity", "gravity_left_out:5", {"mass": 12}, 12),
+            ("mass*(gravity + acceleration)", "mass_for_weight:mass,0", {"mass": 12}, 12),
+            (
+                "dynamic_factor*lifting_load/friction",
+                "mass_for_weight:mass,15",
+                {"mass": 12, "dynamic_factor": 1.5, "friction": 0.5},
+                36,
+            ),
+            (
+                "pi*bore**2/4",
+                "ring_for_circle:bore,3",
+                {"bore": 4, "rod": 2},
+                3 * np.pi,
+            ),
+            (
+                "dynamic_factor*mass",
+                "counted_twice:dynamic_factor",
+                {"dynamic_factor": 1.5, "mass": 4},
+                9,
+            ),
+            (
+                "grip_force*arm_length",
+                "counted_twice:dynamic_factor,grip_force",
+                {"dynamic_factor": 1.5, "grip_force": 4, "arm_length": 2},
+                12,
+            ),
+            (
+                "pitch_radius*arm_angle_open",
+                "angle_unit:outside",
+                {"pitch_radius": 2, "arm_angle_open": 0.5},
+                2 * np.degrees(0.5),
+            ),
             (
                 "mass*(gravity + acceleration)",
                 "gravity_left_out:6",
@@ -165,6 +197,36 @@ class TestGenericSlips:
         values = {name: np.asarray(1.0) for name in plan.quantities}
         read = {float(evaluate(one.formula, "mm", values, plan.columns)) for one in rows}
         assert read == set(plan.columns["flange.bolt_circle"].values.tolist())
+
+    def test_rows_with_one_entry_are_one_way_to_read_wrongly(
+        self, course: Course, policy: Policy
+    ) -> None:
+        """A bore of 80 mm has the rod of one of 100: nobody can tell which row was read."""
+        example = course.schemes[SCHEME].example
+        assert example is not None
+        plan = make_plan(course, SCHEME, {**example.options, "drive": "pneumatic"})
+        rows = [
+            one
+            for one in candidates_of(plan, "rod", policy.slips)
+            if one.kind == SlipKind.OTHER_ROW
+        ]
+        entries = plan.columns["bore_pneumatic.rod"].values
+        assert len(rows) == len(set(entries.tolist())) < entries.size
+        assert any("80; 100" in one.hint.of("en") for one in rows)
+
+    def test_a_table_inside_a_formula_may_be_read_in_another_row(
+        self, course: Course, policy: Policy
+    ) -> None:
+        example = course.schemes["screw"].example
+        assert example is not None
+        plan = make_plan(course, "screw", example.options)
+        rows = [
+            one
+            for one in candidates_of(plan, "screw_stress", policy.slips)
+            if one.kind == SlipKind.OTHER_ROW
+        ]
+        assert len(rows) > plan.columns["trapezoidal_thread.core_diameter"].sizes.size
+        assert len({one.id for one in rows}) == len(rows)
 
     def test_a_plain_product_has_no_slip_of_angles_or_roots(self, slips_of: Slips) -> None:
         kinds = {one.kind for one in slips_of("grip_force*force_ratio").values()}

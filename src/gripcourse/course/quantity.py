@@ -6,11 +6,14 @@ Values are kept in the declared unit (as people wrote them); the solver works in
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from enum import StrEnum
+from typing import Final
 
 from gripcourse.course.toml_table import Table
 from gripcourse.formula.functions import is_entry
 from gripcourse.formula.tree import Formula
 from gripcourse.text.words import Texts
+
+_RULE: Final = ": "  # behind it a title says how a size is chosen
 
 
 class Kind(StrEnum):
@@ -191,6 +194,7 @@ class Quantity:
         file: the file that declares it, for messages.
         uses: ids that its formulas use, sorted. Kept, because a course has thousands of
             compositions and each asks for them.
+        short_title: the title for the middle of a sentence, without a rule behind a colon.
     """
 
     id: str
@@ -222,11 +226,13 @@ class Quantity:
     rubric: str
     file: str
     uses: tuple[str, ...] = field(init=False, repr=False, compare=False)
+    short_title: Texts = field(init=False, repr=False, compare=False)
 
     def __post_init__(self) -> None:
         """Find what is used once."""
         found = {name for formula in self.formulas() for name in formula.names}
         object.__setattr__(self, "uses", tuple(sorted(found)))
+        object.__setattr__(self, "short_title", _before_colon(self.title))
 
     @property
     def exact(self) -> bool:
@@ -259,3 +265,11 @@ class Quantity:
                 yield printed.formula
         for other in self.alternatives:
             yield other.formula
+
+
+def _before_colon(title: Texts) -> Texts:
+    """Return what comes before the colon in each language; `title` itself where there is none."""
+    if not any(_RULE in text for text in title.by_language.values()):
+        return title
+    texts = {key: text.partition(_RULE)[0] for key, text in title.by_language.items()}
+    return Texts(texts)

@@ -118,7 +118,7 @@ def causes_of(
                 "Your {title} explains {count} later answer.",
                 "Your {title} explains {count} later answers.",
                 len(names),
-                title=plan.quantities[root].title,
+                title=plan.quantities[root].short_title,
             ),
         )
         for root, names in explained.items()
@@ -127,18 +127,18 @@ def causes_of(
 
 
 def _used(plan: Plan, found: Substitution) -> Message:
-    title = plan.quantities[found.quantity].title
+    title = plan.quantities[found.quantity].short_title
     if not found.named:
         return message(
             "{title}: this and other wrong answers seem to have one wrong number in common; which "
             "one cannot be told.",
-            title=plan.quantities[found.explains[0]].title,
+            title=plan.quantities[found.explains[0]].short_title,
         )
     if found.tied:
         return message(
             "{title} or {other}: these answers fit together if another number was used.",
             title=title,
-            other=plan.quantities[found.tied].title,
+            other=plan.quantities[found.tied].short_title,
         )
     if not _may_be_told(plan, found):
         return message(
@@ -153,7 +153,7 @@ def _used(plan: Plan, found: Substitution) -> Message:
 
 def spoiled_first(plan: Plan, found: Substitution) -> Message:
     """Say of the first answer that a wrong number spoiled what it follows from."""
-    title, more = plan.quantities[found.quantity].title, len(found.explains) - 1
+    title, more = plan.quantities[found.quantity].short_title, len(found.explains) - 1
     if not found.named:
         return message(
             "Wrong. This answer and {count} more seem to have one wrong number in common; which "
@@ -166,7 +166,7 @@ def spoiled_first(plan: Plan, found: Substitution) -> Message:
             "{title} or for {other}.",
             count=more,
             title=title,
-            other=plan.quantities[found.tied].title,
+            other=plan.quantities[found.tied].short_title,
         )
     if not _may_be_told(plan, found):
         return message(
@@ -188,9 +188,9 @@ def spoiled_later(plan: Plan, found: Substitution) -> Message:
     if not found.named:
         return message(
             "It seems to have a wrong number in common with {title}, which has cost already.",
-            title=plan.quantities[found.explains[0]].title,
+            title=plan.quantities[found.explains[0]].short_title,
         )
-    title = plan.quantities[found.quantity].title
+    title = plan.quantities[found.quantity].short_title
     if found.tied or not _may_be_told(plan, found):
         return message(
             "Follows from another number for {title}, which has cost an earlier answer.",

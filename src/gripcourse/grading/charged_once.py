@@ -47,6 +47,6 @@ def _constant(judged: JudgedAnswer) -> tuple[str, float] | None:
 def _carried(case: GradingCase, judged: JudgedAnswer, root: str) -> JudgedAnswer:
     said = message(
         "Follows from the coarse constant that has cost {title}.",
-        title=case.plan.quantities[root].title,
+        title=case.plan.quantities[root].short_title,
     )
     return cost_already(case, judged, root, said)

@@ -122,7 +122,7 @@ def _with_wrong_rule(
 
 
 def _with_other_cell(comparison: Comparison, judgement: Judgement, other: str) -> Judgement:
-    title = comparison.plan.quantities[other].title
+    title = comparison.plan.quantities[other].short_title
     said = message("The same number stands in another cell: {title}.", title=title)
     return replace(judgement, remarks=(*judgement.remarks, said), elsewhere=other)
 
@@ -137,7 +137,7 @@ def _with_other_end(
     said = message(
         "A known slip: {hint} Or the number of another cell was written here: {title}.",
         hint=explanation.likeliest.candidate.hint,
-        title=comparison.plan.quantities[other].title,
+        title=comparison.plan.quantities[other].short_title,
     )
     slip = _with_slip(comparison, judgement, explanation)
     return replace(slip, message=said, elsewhere=other)
@@ -163,7 +163,7 @@ def _said(comparison: Comparison, explanation: Explanation) -> Message:
                 "One of two known slips. {hint} Or, in a step that you left blank, {title}: "
                 "{other}",
                 hint=hint,
-                title=comparison.plan.quantities[other.of].title,
+                title=comparison.plan.quantities[other.of].short_title,
                 other=other.candidate.hint,
             )
         return message(
@@ -173,7 +173,7 @@ def _said(comparison: Comparison, explanation: Explanation) -> Message:
 
 
 def _said_of_earlier(comparison: Comparison, explanation: Explanation) -> Message:
-    title = comparison.plan.quantities[explanation.likeliest.of].title
+    title = comparison.plan.quantities[explanation.likeliest.of].short_title
     hint = explanation.likeliest.candidate.hint
     for other in explanation.tied:
         return message(
@@ -181,7 +181,7 @@ def _said_of_earlier(comparison: Comparison, explanation: Explanation) -> Messag
             "one, {step}: {other}",
             title=title,
             hint=hint,
-            step=comparison.plan.quantities[other.of].title,
+            step=comparison.plan.quantities[other.of].short_title,
             other=other.candidate.hint,
         )
     return message(
@@ -217,7 +217,7 @@ def _with_other_size(comparison: Comparison, judgement: Judgement) -> Judgement 
         here = carried_here(comparison, name, np.asarray(sizes)) / factor(comparison.quantity.unit)
         for size, value in zip(sizes, here.tolist(), strict=True):
             if comparison.fits(_spread_as(comparison.follows, value).nearest(comparison.value)):
-                title = comparison.plan.quantities[name].title
+                title = comparison.plan.quantities[name].short_title
                 declared = size / factor(comparison.plan.quantities[name].unit)
                 return replace(
                     judgement,

@@ -58,11 +58,12 @@ def _is_for(value: float, comparison: Comparison) -> bool:
 def _first(one: JudgedAnswer, other: JudgedAnswer) -> JudgedAnswer:
     said = message(
         "The numbers of two answers are exchanged: this one and {title}. It costs once.",
-        title=other.quantity.title,
+        title=other.quantity.short_title,
     )
     return replace(one, judgement=replace(one.judgement, message=said))
 
 
 def _second(case: GradingCase, one: JudgedAnswer, other: JudgedAnswer) -> JudgedAnswer:
-    said = message("Exchanged with {title}, which has cost already.", title=one.quantity.title)
+    title = one.quantity.short_title
+    said = message("Exchanged with {title}, which has cost already.", title=title)
     return cost_already(case, other, one.quantity.id, said)

@@ -7,7 +7,7 @@ wrong number that nothing explains, which may be anywhere.
 """
 
 import math
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import Final
 
@@ -154,7 +154,7 @@ def conclude(
     groups = sorted(_alike(met), key=_weight_of, reverse=True)
     best = groups[0]
     if _weight_of(best) / total >= policy.certain:
-        return _named(best, policy)
+        return _named(comparison, best)
     if len(groups) == 1 or not _tie(groups[0], groups[1], policy):
         return None
     both = _weight_of(groups[0]) + _weight_of(groups[1])
@@ -255,11 +255,27 @@ def _tie(one: Sequence[Weighed], other: Sequence[Weighed], policy: SlipPolicy) -
     return _weight_of(one) < policy.tie * _weight_of(other)
 
 
-def _named(group: Sequence[Weighed], policy: SlipPolicy) -> Explanation:
+def _named(comparison: Comparison, group: Sequence[Weighed]) -> Explanation:
     """Name the likeliest of methods with one result, or what holds whichever it was."""
+    policy = comparison.policy.slips
     first = _what_holds(group, policy)
+    if first.candidate.kind == SlipKind.UNIT:
+        return Explanation(first, tuple(_through_an_input(comparison, group))[:1])
     tied = [one for one in group if one is not first and first.weight < policy.tie * one.weight]
     return Explanation(first, tuple(tied[:1]) if first is group[0] else ())
+
+
+def _through_an_input(comparison: Comparison, group: Sequence[Weighed]) -> Iterator[Weighed]:
+    """Yield what led to another unit where the result is not as many times too large as the input.
+
+    A torque in N·m over a stress in MPa is cm³, so that its root comes out in cm: true, and no help
+    to somebody who never thought of centimetres.
+    """
+    for one in group:
+        if one.candidate.kind == SlipKind.INPUT_UNIT:
+            times = float(one.candidate.id.detail.partition(",")[2])
+            if not math.isclose(one.value, times * comparison.expected, rel_tol=_SHORTEST):
+                yield one
 
 
 def _what_holds(group: Sequence[Weighed], policy: SlipPolicy) -> Weighed:

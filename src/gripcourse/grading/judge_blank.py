@@ -62,7 +62,7 @@ def _said(comparison: Comparison, found: ThroughBlank) -> Message:
     for name in found.way.formulas:
         return message(
             "Follows from another reading of {title}, which you left blank.",
-            title=plan.quantities[name].title,
+            title=plan.quantities[name].short_title,
         )
     for name, value in found.way.constants.items():
         return message(

@@ -73,6 +73,6 @@ def same_number_once(case: GradingCase, judged: Sequence[JudgedAnswer]) -> list[
 def _repeated(case: GradingCase, judged: JudgedAnswer, first: str) -> JudgedAnswer:
     said = message(
         "The same wrong number as in {title}; that has cost already.",
-        title=case.plan.quantities[first].title,
+        title=case.plan.quantities[first].short_title,
     )
     return cost_already(case, judged, first, said)

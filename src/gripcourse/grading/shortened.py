@@ -145,4 +145,4 @@ def said_too_coarse(plan: Plan, name: str, value: float) -> Message:
 
 def title_of_constant(plan: Plan, name: str) -> Texts | str:
     """Return what a constant is called."""
-    return plan.quantities[name].title if name != "pi" else "π"
+    return plan.quantities[name].short_title if name != "pi" else "π"

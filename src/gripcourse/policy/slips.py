@@ -35,6 +35,9 @@ class SlipKind(StrEnum):
     MINIMUM_FOR_MAXIMUM = "minimum_for_maximum"
     SIGN = "sign"
     OTHER_ROW = "other_row"  # of a table
+    MASS_FOR_WEIGHT = "mass_for_weight"
+    RING_FOR_CIRCLE = "ring_for_circle"
+    COUNTED_TWICE = "counted_twice"  # a factor that was counted already
 
 
 OF_WRITING: Final = frozenset({SlipKind.UNIT, SlipKind.POWER_OF_TEN})

@@ -18,6 +18,7 @@ from gripcourse.slips.generic import GENERATORS
 from gripcourse.slips.model import Candidate, SlipId
 from gripcourse.slips.practical import in_practical_units
 from gripcourse.slips.surroundings import Place, Rewritten, Surroundings
+from gripcourse.slips.taken import is_behind
 from gripcourse.solver.plan import Plan
 from gripcourse.text.number_text import format_number
 from gripcourse.text.units import known, unit_text
@@ -79,6 +80,7 @@ def _declared(plan: Plan, identifier: str, formula: Formula, policy: SlipPolicy)
     earlier = _before(plan, identifier, ends)
     near = {name: plan.quantities[name] for name in (*formula.names, *sorted(ends))}
     near |= readers_of(formula.tree, plan.quantities)
+    near |= _behind(plan, formula, policy)
     quantity, catalogues = plan.quantities[identifier], plan.course.catalogues
     key = (
         *(id(one) for one in (quantity, formula, catalogues, *kinds)),
@@ -87,6 +89,14 @@ def _declared(plan: Plan, identifier: str, formula: Formula, policy: SlipPolicy)
         earlier,
     )
     return _Declared(key, quantity, formula, policy, kinds, near, earlier, plan.columns, catalogues)
+
+
+def _behind(plan: Plan, formula: Formula, policy: SlipPolicy) -> dict[str, Quantity]:
+    """Return what the numbers that a formula uses are computed from, as far as a kind asks."""
+    inner = (plan.quantities[name].formula for name in formula.names)
+    names = dict.fromkeys(name for one in inner if one is not None for name in one.names)
+    found = ((name, plan.quantities[name]) for name in names if name in plan.quantities)
+    return {name: one for name, one in found if is_behind(one, policy.kinds)}
 
 
 def _before(plan: Plan, identifier: str, names: Collection[str]) -> frozenset[str]:
@@ -193,9 +203,11 @@ def _written(
     match place:
         case Quantity():
             symbol = text(declared_symbol(place.symbol.of(language)))
-            return f"{place.title.of(language)} ({symbol})"
+            return f"{place.short_title.of(language)} ({symbol})"
         case float():
             return format_number(place, language)
+        case tuple():
+            return "; ".join(format_number(one, language) for one in place)
         case str():
             return unit_text(place, language) if place and known(place) else place or "1"
         case _:

@@ -16,6 +16,7 @@ from gripcourse.policy.slips import SlipKind
 from gripcourse.slips.ends import other_ends
 from gripcourse.slips.rewrite import everywhere, number, renamed, rewritings, scaled
 from gripcourse.slips.surroundings import Place, Rewritten, Surroundings
+from gripcourse.slips.taken import counted_twice, mass_for_weight, other_row, ring_for_circle
 from gripcourse.text.units import dimension, factor
 
 Generator: TypeAlias = Callable[[Surroundings], Iterator[Rewritten]]
@@ -23,6 +24,7 @@ Found: TypeAlias = tuple[Node, tuple[str, Mapping[str, Place]]]
 """What may stand in the place of a node, with its detail and places."""
 
 _HALF_TURN: Final = 180.0
+_ANGLES: Final = frozenset({"deg", "rad"})
 _OTHER_FUNCTIONS: Final[Mapping[str, tuple[str, ...]]] = {
     "sin": ("cos", "tan"),
     "cos": ("sin", "tan"),
@@ -49,11 +51,10 @@ def _unit(around: Surroundings) -> Iterator[Rewritten]:
 
 def _other_units(around: Surroundings, unit: str) -> Iterator[tuple[str, float]]:
     """Yield other units of the same kind with their size in this one; angles are no ratios."""
-    angles = {"deg", "rad"}
     if unit not in around.slip.units:
         return
     for other in around.slip.units:
-        alike = dimension(other) == dimension(unit) and (other in angles) == (unit in angles)
+        alike = dimension(other) == dimension(unit) and (other in _ANGLES) == (unit in _ANGLES)
         if other != unit and alike:
             yield other, factor(other) / factor(unit)
 
@@ -92,6 +93,24 @@ def _angle_unit(around: Surroundings) -> Iterator[Rewritten]:
 
     yield Rewritten("all", everywhere(around.formula.tree, misread), {})
     yield from _each(around, one)
+    if not around.formula.units and around.quantity.unit not in _ANGLES:
+        tree = _with_degrees(around, around.formula.tree)
+        if tree != around.formula.tree:
+            yield Rewritten("outside", tree, {})
+
+
+def _with_degrees(around: Surroundings, node: Node) -> Node:
+    """Return a tree with the degrees of every angle that stands in no function, as in R·θ."""
+    match node:
+        case Name(name) if name in around.quantities and around.quantities[name].unit == "deg":
+            return scaled(node, _HALF_TURN / math.pi)
+        case Negation(operand):
+            return replace(node, operand=_with_degrees(around, operand))
+        case Operation(_, left, right):
+            new = (_with_degrees(around, left), _with_degrees(around, right))
+            return replace(node, left=new[0], right=new[1])
+        case _:
+            return node
 
 
 def _radius_for_diameter(around: Surroundings) -> Iterator[Rewritten]:
@@ -146,7 +165,7 @@ def _number_left_out(around: Surroundings) -> Iterator[Rewritten]:
     def literal(node: Node) -> Mapping[str, Place] | None:
         if isinstance(node, Number):
             return {"number": node.value}
-        return {"number": math.pi} if node == Name("pi") else None
+        return {"number": "π"} if node == Name("pi") else None
 
     yield from _left_out(around, literal, "*/")
 
@@ -281,17 +300,6 @@ def _sign(around: Surroundings) -> Iterator[Rewritten]:
     yield from _each(around, change)
 
 
-def _other_row(around: Surroundings) -> Iterator[Rewritten]:
-    match around.formula.tree:
-        case Call("lookup", _, str(column)) as call:
-            series = around.columns[column]
-            catalogue = around.catalogues[column.partition(".")[0]]
-            unit = factor(next(iter(catalogue.units.values())))
-            for size in series.sizes:
-                tree = replace(call, arguments=(number(float(size)),))
-                yield Rewritten(f"{size:.6g}", tree, {"number": float(size) / unit})
-
-
 GENERATORS: Final[Mapping[SlipKind, Generator]] = MappingProxyType(
     {
         SlipKind.UNIT: _unit,
@@ -311,6 +319,9 @@ GENERATORS: Final[Mapping[SlipKind, Generator]] = MappingProxyType(
         SlipKind.WRONG_END: _wrong_end,
         SlipKind.MINIMUM_FOR_MAXIMUM: _minimum_for_maximum,
         SlipKind.SIGN: _sign,
-        SlipKind.OTHER_ROW: _other_row,
+        SlipKind.OTHER_ROW: other_row,
+        SlipKind.MASS_FOR_WEIGHT: mass_for_weight,
+        SlipKind.RING_FOR_CIRCLE: ring_for_circle,
+        SlipKind.COUNTED_TWICE: counted_twice,
     }
 )

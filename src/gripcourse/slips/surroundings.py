@@ -11,8 +11,8 @@ from gripcourse.formula.evaluate import Column
 from gripcourse.formula.tree import Formula, Name, Node
 from gripcourse.policy.slips import GenericSlip
 
-# A declaration stands for itself; so do a number, a unit, a piece of the formula.
-Place: TypeAlias = Quantity | Node | float | str
+# A declaration stands for itself; so do a number or several, a unit, a piece of the formula.
+Place: TypeAlias = Quantity | Node | float | tuple[float, ...] | str
 
 
 @dataclass(frozen=True, slots=True)
