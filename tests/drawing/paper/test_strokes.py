@@ -12,6 +12,7 @@ from gripcourse.drawing.paper.strokes import (
     on_circle,
     outside,
     reach_of,
+    runs_over,
     runs_through,
 )
 
@@ -59,3 +60,13 @@ def test_a_plate_whose_corners_lie_on_a_circle_covers_half_of_it() -> None:
         for pieces in (outside(circle, plate), covered(circle, plate)):
             seen = sum(one.high - one.low for one in pieces if isinstance(one, Arc))
             assert seen == pytest.approx(180.0, abs=6.0), along
+
+
+@pytest.mark.parametrize(
+    ("centre", "radius", "runs"),
+    [((2.0, 1.0), 1.5, True), ((6.0, 1.0), 2.5, True), ((6.0, 1.0), 1.5, False),
+     ((2.0, 1.0), 3.0, False)],
+    ids=["inside and out", "from a side", "past it", "all round it"],
+)  # fmt: skip
+def test_a_circle_runs_over_a_box(centre: tuple[float, float], radius: float, runs: bool) -> None:
+    assert runs_over(Arc(centre, radius), BOX) is runs

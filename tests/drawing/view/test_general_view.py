@@ -18,7 +18,15 @@ from gripcourse.course.quantity import Kind
 from gripcourse.course.view import Face, Side
 from gripcourse.drawing.paper.document import LineKind, dxf_bytes
 from gripcourse.drawing.paper.sheet import FORMATS, block_box, corner_box
-from gripcourse.drawing.paper.strokes import Arc, Box, Line, Stroke, outside, points_of
+from gripcourse.drawing.paper.strokes import (
+    Arc,
+    Box,
+    Line,
+    Stroke,
+    outside,
+    points_of,
+    runs_over,
+)
 from gripcourse.drawing.paper.svg import svg_text
 from gripcourse.drawing.paper.text import Point, read_text
 from gripcourse.drawing.paper.title_block import TitleBlock
@@ -160,6 +168,9 @@ def test_marks_of_details_stand_free_of_each_other_and_of_numbers(
     boxes = [*marks, *(one.text_box for one in face.dimensions)]
     boxes += [one.box for one in face.leaders]
     assert not [pair for pair in combinations(boxes, 2) if pair[0].overlaps(pair[1])]
+    rims = [mark.rim for mark in face.marks if mark.rim is not None]
+    numbers = [one.text_box for one in face.dimensions]
+    assert not [pair for pair in product(rims, numbers) if runs_over(*pair)]
 
 
 @each("any_variants", "any_variant")

@@ -200,6 +200,14 @@ def runs_through(line: Line, boxes: Iterable[Box]) -> bool:
     return False
 
 
+def runs_over(circle: Arc, box: Box) -> bool:
+    """Tell whether a whole circle runs over a box: neither past it nor all round it."""
+    x, y = circle.centre
+    near = (min(max(x, box.left), box.right), min(max(y, box.bottom), box.top))
+    far = max(math.dist(circle.centre, corner) for corner in box.corners)
+    return math.dist(circle.centre, near) < circle.radius < far
+
+
 def inside(point: Point, mask: Sequence[Point]) -> bool:
     """Tell whether a point lies in a closed polygon."""
     x, y = point

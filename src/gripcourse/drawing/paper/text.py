@@ -25,8 +25,9 @@ _SECOND_CAP_HEIGHT = 0.688
 NARROWEST = 0.5  # what a line may be squeezed to before it is cut
 
 LEADING = 1.45  # from one line to the next, in heights of capital letters
+_CLEAR = 0.2  # of lines above and below several of them, in these heights
 _WIDE = 0.9  # of their width and more: nobody sees that letters are squeezed
-_WIDE_ENOUGH = 0.6  # of their width: such letters are still read well
+_WIDE_ENOUGH = 0.7  # of their width, or of their height: 2.5 of 3.5 mm (GOST 2.304)
 _READ_HEIGHT = 1.8  # mm, the smallest letters of GOST 2.304
 _LEAST_HEIGHT = 1.0  # mm: smaller letters cannot be read
 _CUT = "…"
@@ -129,7 +130,7 @@ def set_in(text: str, height: float, room: tuple[float, float], most: int) -> Se
 
 
 def _set(text: str, height: float, room: tuple[float, float], count: int) -> Setting:
-    high = min(height, room[1] / (LEADING * count))
+    high = min(height, room[1] / (LEADING * count + _CLEAR * (count - 1)))
     lines = tuple(wrapped(text, high, room[0], count)) or ("",)
     squeeze = min(room[0] / max(text_width(one, high), room[0]) for one in lines)
     # Smaller rather than narrower letters: not every program can draw those.

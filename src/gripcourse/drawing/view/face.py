@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from gripcourse.course.view import Face, Side
 from gripcourse.drawing.paper.document import TEXT_HEIGHT, LineKind
-from gripcourse.drawing.paper.strokes import Box, Line, at_place, placed
+from gripcourse.drawing.paper.strokes import Arc, Box, Line, at_place, placed, reach_of, runs_over
 from gripcourse.drawing.paper.text import Point
 from gripcourse.drawing.view.contents import Figure, Measured, Overall
 from gripcourse.drawing.view.details import Detail
@@ -81,7 +81,11 @@ def face_layout(
     wanted += [_for_reference(one, scale, words) for one in shown.overall if one.face is face]
     down = [x for one in wanted if one.side is Side.BELOW for x, _ in (one.start, one.end)]
     marks = marks_of(details if face is Face.MAIN else (), scale, bare, words, down)
-    dimensions = place(wanted, _with_marks(bare, marks))
+    around = _with_marks(bare, marks)
+    dimensions = place(wanted, around)
+    rims = [one.rim for one in marks if one.rim is not None]
+    if any(runs_over(rim, one.text_box) for rim in rims for one in dimensions):
+        dimensions = place(wanted, _with_rims(around, rims))
     taken = [box for mark in marks for box in mark.boxes]
     numbers = [one.text_box for one in dimensions]
     numbers += [box for mark in marks for box in mark.letters]
@@ -99,6 +103,13 @@ def _with_marks(bare: Box, marks: Sequence[DetailMark]) -> Box:
     clear = FIRST_ROW - 2 * TEXT_HEIGHT  # what a first row leaves free over its numbers
     bottom = min([bare.bottom, *(one + clear for one in low)])
     return Box(bare.left, bottom, bare.right, bare.top)
+
+
+def _with_rims(box: Box, rims: Sequence[Arc]) -> Box:
+    """Return a box joined with those of circles round details."""
+    for rim in rims:
+        box = box.joined(reach_of(rim))
+    return box
 
 
 def draw_face(

@@ -4,13 +4,14 @@ Lengths are millimetres of paper, in the coordinates of the face.
 """
 
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import chain, combinations
 from typing import TYPE_CHECKING
 
 from gripcourse.drawing.paper.document import LineKind
 from gripcourse.drawing.paper.strokes import Box, Line, runs_through
 from gripcourse.drawing.paper.text import Point, add_text, text_width
+from gripcourse.drawing.view.shelves import apart
 
 if TYPE_CHECKING:
     from ezdxf.layouts.layout import Modelspace
@@ -80,11 +81,26 @@ def place_leaders(
     """
     leaders = _uncrossed(notes, below)
     every = [*numbers, *marks]
-    found = next((one for one in _moved_along(leaders) if _is_clear(one, every)), None)
+    rows = (one for one in _moved_along(leaders) if _is_clear(one, every))
+    found = next(rows, None) or _apart(leaders, numbers, marks)
     if found is None:
         ways = chain(_moved_along(leaders), _opened(leaders))
         found = next((one for one in ways if _is_clear(one, numbers)), leaders)
     return found
+
+
+def _apart(
+    leaders: Sequence[Leader], numbers: Sequence[Box], marks: Sequence[Box]
+) -> list[Leader] | None:
+    """Move each shelf by itself; None where lines cross then, or run through numbers."""
+    if not leaders:
+        return None
+    places = [(one.note.at, one.note.width, one.left) for one in leaders]
+    lefts = apart(places, leaders[0].level, _BETWEEN, numbers, marks)
+    if lefts is None:
+        return None
+    found = [replace(one, left=left) for one, left in zip(leaders, lefts, strict=True)]
+    return found if _is_clear(found, numbers) else None
 
 
 def _moved_along(leaders: Sequence[Leader]) -> Iterator[list[Leader]]:

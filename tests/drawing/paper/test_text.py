@@ -1,0 +1,38 @@
+"""How words are set in a cell of a table: lines and height of letters, mm."""
+
+import pytest
+
+from gripcourse.drawing.paper.text import LEADING, set_in
+
+CELL = (21.0, 8.0)  # of the parts list's column of materials
+REACH_BELOW = 0.25  # of a letter's height, how far p and y reach below their line
+SMALL = 2.5  # mm, the height next to 3.5 (GOST 2.304)
+
+
+@pytest.mark.parametrize("material", ["Сталь 45 улучш.", "Сталь 40Х улучш.", "Медный провод"])
+def test_two_lines_are_better_than_one_in_tiny_letters(material: str) -> None:
+    found = set_in(material, 3.5, CELL, most=2)
+    assert len(found.lines) == 2
+    assert found.height >= SMALL
+
+
+def test_what_fits_into_one_line_of_smaller_letters_stays_in_one() -> None:
+    found = set_in("По расчёту", 3.5, CELL, most=2)
+    assert found.lines == ("По расчёту",)
+    assert SMALL < found.height < 3.5
+
+
+@pytest.mark.parametrize(
+    ("words", "room", "lines"),
+    [
+        ("Проєктування захватного пристрою промислового робота", (48.0, 15.0), 3),
+        ("Сталь 40Х поліпш.", CELL, 2),
+    ],
+)
+def test_lines_stand_clear_of_those_of_the_cell(
+    words: str, room: tuple[float, float], lines: int
+) -> None:
+    found = set_in(words, 3.5, room, lines)
+    assert len(found.lines) == lines
+    high = found.height * (1.0 + LEADING * (lines - 1) + REACH_BELOW)
+    assert room[1] - high > 2 * 0.5  # half a line above and below, and as much free
