@@ -6,10 +6,10 @@ from dataclasses import dataclass
 from gripcourse.gradebook.model import (
     Attempt,
     GradebookEntry,
-    Result,
     is_outdated,
     latest_marks,
 )
+from gripcourse.gradebook.results import Result
 from gripcourse.gradebook.works import latest_judged
 from gripcourse.grading.model import Outcome
 

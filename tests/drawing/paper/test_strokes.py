@@ -68,5 +68,9 @@ def test_a_plate_whose_corners_lie_on_a_circle_covers_half_of_it() -> None:
      ((2.0, 1.0), 3.0, False)],
     ids=["inside and out", "from a side", "past it", "all round it"],
 )  # fmt: skip
-def test_a_circle_runs_over_a_box(centre: tuple[float, float], radius: float, runs: bool) -> None:
+def test_a_circle_runs_over_a_box(
+    centre: tuple[float, float],
+    radius: float,
+    runs: bool,  # noqa: FBT001 (a case)
+) -> None:
     assert runs_over(Arc(centre, radius), BOX) is runs
