@@ -42,6 +42,28 @@ def issued(student: str, group: str, day: date | None = date(2026, 11, 1)) -> Is
     )
 
 
+@pytest.mark.parametrize(
+    ("written", "at"),
+    [
+        ("2026-10-25 03:30", datetime(2026, 10, 25, 1, 30, tzinfo=UTC)),  # clocks show it twice
+        ("2026-10-25 02:59", datetime(2026, 10, 24, 23, 59, tzinfo=UTC)),
+        ("2026-10-25 04:00", datetime(2026, 10, 25, 2, 0, tzinfo=UTC)),
+        ("2026-03-29 03:30", datetime(2026, 3, 29, 1, 30, tzinfo=UTC)),  # clocks never show it
+        ("2026-10-25", datetime(2026, 10, 25, 21, 59, 59, tzinfo=UTC)),
+    ],
+)
+def test_of_what_a_deadline_may_mean_the_last_moment_counts(written: str, at: datetime) -> None:
+    (row,) = table(f"group,student,deadline\n,,{written}\n")
+    assert row.at.timestamp() == at.timestamp()
+
+
+def test_the_last_second_of_a_day_that_ends_twice_counts() -> None:
+    santiago = ZoneInfo("America/Santiago")  # set back from midnight to 23:00
+    last = deadline_of(issued("s01", "A", date(2026, 4, 4)), (), santiago)
+    assert last is not None
+    assert last.timestamp() == datetime(2026, 4, 5, 3, 59, 59, tzinfo=UTC).timestamp()
+
+
 def test_the_nearest_row_counts_in_the_time_zone_of_the_course() -> None:
     rows = table(TABLE)
     assert deadline_of(issued("s02", "РТК-41"), rows, KYIV) == datetime(

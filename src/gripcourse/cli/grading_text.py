@@ -108,6 +108,7 @@ def batch_text(outcome: "GradingOutcome", out: Path, words: Words) -> str:
         lines.append(words.say(said))
     lines += _passed_over(outcome, words)
     lines += times_text.without_times(outcome.reports, words)
+    lines += times_text.without_deadlines(outcome.undated, words)
     lines += _missing(outcome.missing, words)
     if outcome.left_over:
         said = message(

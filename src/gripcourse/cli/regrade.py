@@ -172,7 +172,7 @@ def waive(  # noqa: PLR0913 (one parameter per option)
     language: LanguageOption = None,
 ) -> None:
     """Let a student's lateness cost nothing, at all or until a moment; the reason is kept."""
-    from gripcourse.gradebook.deadlines import moment_of
+    from gripcourse.gradebook.deadlines import last_of, moment_of
     from gripcourse.gradebook.timing import Waiver
     from gripcourse.policy.time_rules import zone_of
     from gripcourse.usecases.marks.opening import open_grading
@@ -180,7 +180,8 @@ def waive(  # noqa: PLR0913 (one parameter per option)
 
     words = words_for(language)
     context = open_grading(course_folder(course))
-    moment = None if until is None else moment_of(until, zone_of(context.policy.late))
+    said = None if until is None else moment_of(until, zone_of(context.policy.late))
+    moment = None if said is None else last_of(said)
     if until is not None and moment is None:
         raise cli_text.misuse(
             message("'{text}' is no day.", text=until),

@@ -32,3 +32,16 @@ def without_times(reports: Sequence["Report"], words: Words) -> Iterator[str]:
         names=", ".join(names[:_NAMED]) + (", …" if len(names) > _NAMED else ""),
     )
     yield words.say(said)
+
+
+def without_deadlines(students: Sequence[str], words: Words) -> Iterator[str]:
+    """Say who cannot be late because nobody set a deadline, though lateness costs."""
+    if not students:
+        return
+    said = message(
+        "Lateness costs, but these students have no deadline ({count}): {names}. Write one into"
+        " variants/deadlines.csv: for all, for a group or for a student.",
+        count=len(students),
+        names=", ".join(students[:_NAMED]) + (", …" if len(students) > _NAMED else ""),
+    )
+    yield words.say(said)

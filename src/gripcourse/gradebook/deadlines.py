@@ -62,7 +62,12 @@ def deadline_of(issued: Issued, rows: tuple[Deadline, ...], zone: ZoneInfo) -> d
                 return row.at
     if issued.deadline is None:
         return None
-    return datetime.combine(issued.deadline, END_OF_DAY, zone)
+    return last_of(datetime.combine(issued.deadline, END_OF_DAY, zone))
+
+
+def last_of(deadline: datetime) -> datetime:
+    """Return the last moment that a deadline may mean, where clocks show an hour twice."""
+    return max(deadline, deadline.replace(fold=1), key=datetime.timestamp)
 
 
 def read_deadlines(
@@ -156,7 +161,7 @@ def _row(
         place = cell_place(row.number, called["deadline"])
         problems.append(Problem(sheet.file, place, what, remedy))
         return None
-    return Deadline(cells.get("group", ""), cells.get("student", ""), at)
+    return Deadline(cells.get("group", ""), cells.get("student", ""), last_of(at))
 
 
 def _heading_problems(sheet: Sheet) -> Iterator[Problem]:

@@ -14,7 +14,7 @@ from gripcourse.batch.duplicates import mark_doubles
 from gripcourse.batch.one_file import grade_file
 from gripcourse.batch.run import Graded
 from gripcourse.cli.demo.students import correct
-from gripcourse.cli.times_text import without_times
+from gripcourse.cli.times_text import without_deadlines, without_times
 from gripcourse.documents.report.soundness import time_sentence
 from gripcourse.documents.report.standing import timing_texts
 from gripcourse.errors import UsageError
@@ -25,6 +25,7 @@ from gripcourse.gradebook.timing import Waiver
 from gripcourse.grading.model import Flag, FlagCode, Report, Timing
 from gripcourse.policy.time_rules import AttemptRule, Counts, LateRule
 from gripcourse.text.words import Words, message
+from gripcourse.usecases.grading.grade import write_results
 from gripcourse.usecases.marks.gradebook import keep
 from gripcourse.usecases.marks.handed_in import HandingTime, handed_in_times
 from gripcourse.usecases.marks.history import history
@@ -147,6 +148,26 @@ def test_works_without_a_time_are_named_and_have_no_days_late(office: Office) ->
     again = office.grade()
     assert [one.timing.handed_in for one in again if one.timing] == [None, None]
     assert list(without_times(office.grade("2026-12-01 10:00"), Words("en"))) == []
+
+
+def test_whoever_has_no_deadline_is_named_where_lateness_costs(
+    office: Office, tmp_path: Path
+) -> None:
+    def undated() -> tuple[str, ...]:
+        graded = [Graded(one, "") for one in office.grade()]
+        out, day = tmp_path / "out", NOW.date()
+        outcome = write_results(graded, office.context, out, day, 0, print, lay_out=None)
+        return outcome.undated
+
+    assert undated() == ()
+    register = {name: replace(one, deadline=None) for name, one in office.context.register.items()}
+    office.context = replace(office.context, register=register)
+    assert undated() == ("s01",)
+    (said,) = without_deadlines(undated(), Words("en"))
+    assert said.startswith("Lateness costs, but these students have no deadline (1): s01.")
+    assert list(without_deadlines((), Words("en"))) == []
+    office.context = replace(office.context, policy=replace(office.context.policy, late=None))
+    assert undated() == ()
 
 
 @pytest.mark.parametrize(("language", "written"), [

@@ -63,6 +63,7 @@ class GradingOutcome:
         grades_only: whether nobody wanted anything printed.
         missing: students to whom something was issued and whose work is not in the batch, by id.
         cohort_fault: why the cohort report could not be laid out.
+        undated: students with a judged work who have no deadline, though lateness costs, by id.
     """
 
     reports: tuple[Report, ...]
@@ -75,6 +76,7 @@ class GradingOutcome:
     grades_only: bool = False
     missing: tuple[Student, ...] = ()
     cohort_fault: str = ""
+    undated: tuple[str, ...] = ()
 
 
 def grade(
@@ -177,6 +179,19 @@ def write_results(  # noqa: PLR0913 (the last is what everybody leaves as it is)
         grades_only=lay_out is None,
         missing=missing(reports, context),
         cohort_fault="" if failed is None else failed.reason,
+        undated=_undated(reports) if context.policy.late is not None else (),
+    )
+
+
+def _undated(reports: Sequence[Report]) -> tuple[str, ...]:
+    return tuple(
+        sorted(
+            {
+                one.student
+                for one in reports
+                if one.judged and one.timing is not None and one.timing.deadline is None
+            }
+        )
     )
 
 
