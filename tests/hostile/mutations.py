@@ -9,6 +9,7 @@ import zipfile
 from collections.abc import Callable
 from typing import Final, TypeAlias
 
+from hostile import peculiar
 from hostile.small_workbook import (
     HIDDEN,
     PARTS,
@@ -56,13 +57,20 @@ _PIECES: Final = (
 )
 
 
+PECULIAR: Final = 10**8
+"""From this number on it is peculiarities that are drawn; what lower ones mean stays as it is."""
+
+
 def mutated(seed: int) -> bytes:
     """Return a workbook with one to four random changes."""
     draw = random.Random(seed)  # noqa: S311 (nothing secret)
     parts = dict(PARTS)
+    changes = CHANGES if seed < PECULIAR else (*peculiar.CHANGES, *peculiar.CHANGES, *CHANGES)
     for _ in range(draw.choice((1, 1, 2, 4))):
-        draw.choice(CHANGES)(draw, parts)
+        draw.choice(changes)(draw, parts)
     data = archive(parts, draw.choice((zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED)))
+    if seed >= PECULIAR and draw.random() < 0.2:
+        data = peculiar.repacked(draw, data)
     return _spoiled(draw, data) if draw.random() < 0.15 else data
 
 

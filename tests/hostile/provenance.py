@@ -34,7 +34,7 @@ def invented(data: bytes, raw: RawWorkbook) -> list[str]:
     texts = [_text(item) for tree in parts.values() for item in tree.iter() if _is(item, "si")]
     cells = list(_cells(parts))
     names = [
-        (one.get("name", "").lower().replace("_", "."), (one.text or "").replace("$", ""))
+        (one.get("name", "").lower().replace("_", "."), (one.text or "").strip().replace("$", ""))
         for tree in parts.values()
         for one in tree.iter()
         if _is(one, "definedName")
@@ -74,6 +74,8 @@ def _trees(data: bytes) -> dict[str, ET.Element]:
     trees = {}
     with zipfile.ZipFile(io.BytesIO(data)) as file:
         for name in file.namelist():
+            if name.endswith("/"):  # a folder, whatever it holds
+                continue
             if name.lower().endswith((".xml", ".rels")) or "sheet" in name.lower():
                 try:
                     plain = posixpath.normpath(name.replace("\\", "/")).lower()

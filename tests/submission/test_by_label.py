@@ -110,3 +110,15 @@ def test_answers_whose_sheet_was_removed_are_blank_and_that_is_said(returned: "R
     [said] = map(str, read.remarks)
     assert f"'{title}'" in said
     assert f"in all: {len(asked)}" in said
+
+
+def test_an_answer_that_was_cut_over_another_one_is_found_in_its_row(returned: "Returned") -> None:
+    """The name of the cell that is pasted over is lost; the one that was cut brings its own."""
+    book, _, rows = filled(returned)
+    first, second, *_ = rows
+    names = book.defined_names
+    names[f"answer.{second}"].value = names[f"answer.{first}"].value
+    names[f"answer.{first}"].value = "#REF!"
+    read = returned.read(returned.saved(book))
+    assert {name: read.answers[name].value for name in typed(returned)} == typed(returned)
+    assert set(read.moved) == {first, second}

@@ -48,8 +48,8 @@ def by_label(raw: RawWorkbook, quantities: Iterable[Quantity]) -> Relabelled:
         if own is not None and _stands(own, known):
             continue
         found = [one for title in sorted(known) for one in rows.get(title, ())]
-        if own is None:  # removed, unless its whole sheet only bears another name
-            found = [one for one in found if _sheet_of(one) not in named]
+        if own is None:  # removed, unless something stands there or its sheet bears another name
+            found = [one for one in found if one.is_filled or _sheet_of(one) not in named]
         if len(found) == 1:
             answers[name] = found[0]
             moved.append(name)
@@ -62,7 +62,7 @@ def _sheet_of(cell: RawCell) -> str:
 
 def _stands(cell: RawCell, titles: Collection[str]) -> bool:
     """Tell whether an answer is where its name says: beside its title, or beside none at all."""
-    is_unlabelled = not cell.label and (cell.value is not None or cell.formula != "")
+    is_unlabelled = not cell.label and cell.is_filled
     return is_unlabelled or _plain(cell.label) in titles
 
 

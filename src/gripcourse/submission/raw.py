@@ -32,6 +32,11 @@ class RawCell:
     cell: str
     label: str = ""
 
+    @property
+    def is_filled(self) -> bool:
+        """Whether anything stands there, readable or not."""
+        return self.value is not None or self.formula != "" or self.error
+
 
 @dataclass(frozen=True, slots=True)
 class OtherResult:

@@ -33,6 +33,7 @@ from gripcourse.machine.spreadsheet.sheet_cells import (
     stored_cells,
 )
 from gripcourse.machine.spreadsheet.xml_scan import local
+from gripcourse.submission.copied_sheets import about_copies
 from gripcourse.submission.harmless import about_damage, about_lost_formats
 from gripcourse.submission.identity import creator_of, identity_of
 from gripcourse.submission.looks import looks_of
@@ -124,10 +125,10 @@ def _fault_of(fault: Exception) -> WhyRefused:
 
 def _read(package: Package, file: str, digest: str) -> RawWorkbook | WhyRefused:
     workbook = package.workbook_part()
-    named = _named(package, workbook)
+    named, copies = _named(package, workbook)
     if not any(name.startswith(names.cell_name(names.ANSWER, "")) for name in named):
         return WhyRefused.FOREIGN
-    found = _cells(package, workbook, named)
+    found = _cells(package, workbook, named, copies)
     answers = _of_role(found.named, names.ANSWER)
     identity, about_identity = identity_of(_of_role(found.named, names.META), package)
     creator = creator_of(package)
@@ -151,16 +152,25 @@ def _read(package: Package, file: str, digest: str) -> RawWorkbook | WhyRefused:
     )
 
 
-def _named(package: Package, workbook: str) -> dict[str, NamedPlace]:
-    """Find where our names point to; the workbook's own names win over those of single sheets."""
+def _named(
+    package: Package, workbook: str
+) -> tuple[dict[str, NamedPlace], dict[str, set[NamedPlace]]]:
+    """Find where our names point to; the workbook's own names win over those of single sheets.
+
+    Returns:
+        That, and where an answer stands on copies of its sheet: they get names of their own.
+    """
     found: dict[str, NamedPlace] = {}
+    more: dict[str, set[NamedPlace]] = {}
     for name, reference in _definitions(package, workbook):
         sheet, _, cells = reference.rpartition("!")
         place = place_of(cells.partition(":")[0])
         if place is not None:
             title = sheet.removeprefix("'").removesuffix("'").replace("''", "'")
-            found.setdefault(name, NamedPlace(title, place))
-    return found
+            where = NamedPlace(title, place)
+            if found.setdefault(name, where) != where and name.startswith(_ANSWER):
+                more.setdefault(name, set()).add(where)
+    return found, more
 
 
 def _definitions(package: Package, workbook: str) -> Iterator[tuple[str, str]]:
@@ -178,8 +188,15 @@ def _definitions(package: Package, workbook: str) -> Iterator[tuple[str, str]]:
     return ((name, text) for _, name, text in sorted(ours, key=lambda one: one[0]))
 
 
-def _cells(package: Package, workbook: str, named: Mapping[str, NamedPlace]) -> _NamedCells:
+def _cells(
+    package: Package,
+    workbook: str,
+    named: Mapping[str, NamedPlace],
+    copies: Mapping[str, set[NamedPlace]],
+) -> _NamedCells:
     """Read the cells that our names point to, and those of their columns that none points to.
+
+    An answer that is blank and stands on a copy of its sheet is taken from there.
 
     Cells whose sheet is gone are left out; where it only has another name, its rows are among those
     that none points to.
@@ -192,8 +209,9 @@ def _cells(package: Package, workbook: str, named: Mapping[str, NamedPlace]) -> 
         raise KeyError(*lost)
     parts = package.sheets(workbook)
     beside = places_beside(answers, set(named.values()), parts)
-    labels = {one: _label_of(one) for one in (*answers, *beside)}
-    wanted_places = {*named.values(), *beside, *labels.values()}
+    copied = set[NamedPlace]().union(*copies.values())
+    labels = {one: _label_of(one) for one in (*answers, *beside, *copied)}
+    wanted_places = {*named.values(), *copied, *beside, *labels.values()}
     places: dict[str, set[Place]] = {}
     for one in wanted_places:
         if one.sheet in parts:
@@ -228,13 +246,20 @@ def _cells(package: Package, workbook: str, named: Mapping[str, NamedPlace]) -> 
         name: raw(where, label_of(where) if where in answers else "")
         for name, where in there.items()
     }
+    on_copies = {
+        name: [raw(one, label_of(one)) for one in sorted(places) if one.sheet in sheets]
+        for name, places in copies.items()
+        if name not in cells or not cells[name].is_filled
+    }
+    filled = {name: [one for one in found if one.is_filled] for name, found in on_copies.items()}
+    cells |= {name: found[0] for name, found in filled.items() if len(found) == 1}
     others = ((one, label_of(one)) for one in sorted(beside, key=_order) if one.sheet in sheets)
     counting = [sheets[where.sheet].stored[where.place][1] for where in there.values()]
     return _NamedCells(
         cells,
         tuple(raw(one, label) for one, label in others if label),
         {name: where.sheet for name, where in named.items() if where.sheet not in parts},
-        about_lost_formats(look, counting),
+        (*about_lost_formats(look, counting), *about_copies(filled.values())),
     )
 
 
