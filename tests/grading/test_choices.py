@@ -56,6 +56,19 @@ class TestSoundSet:
             sound = [size for size in near if found[size] is Against.REFERENCE]
             assert sound == sizes[first : last + 1], quantity.id
 
+    def test_the_largest_size_is_no_new_fault_where_a_mistake_asks_for_more(
+        self, hydraulic: "Case"
+    ) -> None:
+        """A stroke of R·θ in degrees: 57 times too long for any cylinder."""
+        wrong = {"stroke_required": 57.3 * hydraulic.reference["stroke_required"]}
+        sizes = series(hydraulic, "stroke")
+        assert wrong["stroke_required"] > sizes[-1]
+        largest = hydraulic.findings({**hydraulic.answers, **wrong, "stroke": sizes[-1]})["stroke"]
+        assert (largest.outcome, largest.against) == (Outcome.CARRIED, Against.OWN_INPUTS)
+        assert "No size is large enough" in str(largest.message)
+        other = hydraulic.findings({**hydraulic.answers, **wrong, "stroke": sizes[-2]})["stroke"]
+        assert other.outcome is Outcome.WRONG
+
     def test_a_condition_bounds_the_set_instead_of_steps(self, hydraulic: "Case") -> None:
         """A rod from 0.3 to 0.7 of the bore of 63 mm: from 18.9 to 44.1 mm."""
         sound = [

@@ -135,6 +135,12 @@ def same_size(one: float, other: float) -> bool:
     return math.isclose(one, other, rel_tol=_SAME)
 
 
+def largest_size(plan: Plan, choice: Choice) -> float:
+    """Return the largest size, SI, of all series that a decision may take one from."""
+    series = (plan.columns[column].sizes for column in (choice.column, *choice.also))
+    return max(float(sizes.max()) for sizes in series)
+
+
 def _in_series(plan: Plan, choice: Choice, chosen: float) -> bool:
     entries = np.concatenate([plan.columns[name].sizes for name in (choice.column, *choice.also)])
     return bool(np.any(np.abs(entries - chosen) <= _SAME * abs(chosen)))

@@ -5,8 +5,9 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from gripcourse.course.quantity import Rounding
 from gripcourse.formula.tree import Name
-from gripcourse.grading.choices import judge_choice, printed_choice, same_size
+from gripcourse.grading.choices import judge_choice, largest_size, printed_choice, same_size
 from gripcourse.grading.comparison import Comparison, Judgement, conclude
 from gripcourse.grading.judge_value import ANOTHER_READING, other_reading
 from gripcourse.grading.model import Against, Outcome
@@ -62,7 +63,8 @@ def _judge_size(comparison: Comparison) -> Judgement:
         credit = comparison.policy.carried_credit
         return conclude(comparison, Outcome.CARRIED, Against.OWN_INPUTS, credit, said)
     return (
-        _judge_alternative(comparison, chosen)
+        _judge_largest(comparison, chosen, own_required.low * scale)
+        or _judge_alternative(comparison, chosen)
         or _judge_printed(comparison, chosen, own_required.value * scale)
     ) or conclude(
         comparison,
@@ -72,6 +74,25 @@ def _judge_size(comparison: Comparison) -> Judgement:
         follow_through.fault or message("The required value cannot be told from your numbers."),
         slip=follow_through.slip,
     )
+
+
+def _judge_largest(comparison: Comparison, chosen: float, required: float) -> Judgement | None:
+    """Judge the largest size there is, where an earlier mistake asks for a larger one.
+
+    Args:
+        comparison: of the decision.
+        chosen: the size, SI.
+        required: what it must not be below at the student's own numbers, at least, SI.
+    """
+    choice = comparison.quantity.choice
+    if choice is None or choice.rounding is not Rounding.UP:
+        return None
+    largest = largest_size(comparison.plan, choice)
+    if not (required > largest and same_size(chosen, largest)):
+        return None
+    said = message("No size is large enough for your own earlier numbers; this is the largest.")
+    credit = comparison.policy.carried_credit
+    return conclude(comparison, Outcome.CARRIED, Against.OWN_INPUTS, credit, said)
 
 
 def _is_sound_through_blank(comparison: Comparison, required: float) -> bool:
