@@ -18,7 +18,7 @@ def filled(found: Outline) -> shapely.Geometry:
 
 
 def is_closed(found: Outline) -> bool:
-    """Whether each stroke begins where another one ends, all of them on the rim of what is covered."""
+    """Whether each stroke begins where another one ends, on the rim of what is covered."""
     lines = [shapely.LineString(points_of(one)) for one in found.strokes]
     rim = filled(found).exterior
     ends = sorted(

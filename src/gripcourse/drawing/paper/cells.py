@@ -73,7 +73,7 @@ class Cells:
             )
 
     def symbols(self, text: str, corner: Point, size: Point, height: float, most: int) -> None:
-        """Write into a cell from its left side, what follows `_` as a subscript: `d_ш = 5; b = 3`."""
+        """Write sizes into a cell from its left side, a subscript behind `_`: `d_ш = 5; b = 3`."""
         room = (size[0] - 2 * PAD, size[1])
         found = set_in(text.replace("_", ""), height, room, most, between="; ")
         pitch = found.height * LEADING
