@@ -46,7 +46,9 @@ SHAPES: Mapping[str, Mapping[str, Need]] = {
     "box": {"x": Need.RANGE, "y": Need.RANGE},
     "circle": {"at": Need.POINT, "diameter": Need.LENGTH},
     "pin": {"at": Need.POINT, "diameter": Need.LENGTH},  # a circle with its axes
-    "bar": {"through": Need.POINTS, "width": Need.LENGTH},  # round at its ends
+    "bar": {"through": Need.POINTS, "width": Need.LENGTH},  # round at its ends and bends
+    # round at both ends, each as wide as the first and the second of its `widths`
+    "taper": {"start": Need.POINT, "end": Need.POINT, "widths": Need.RANGE},
     "polygon": {"corners": Need.POINTS},
     "line": {"through": Need.POINTS},
     "arc": {"at": Need.POINT, "radius": Need.LENGTH, "angles": Need.ANGLES},
@@ -57,7 +59,7 @@ SHAPES: Mapping[str, Mapping[str, Need]] = {
     "broken": {"x": Need.RANGE, "y": Need.RANGE},
 }
 # Shapes with an inside: the bodies of a view are made of these.
-CLOSED = frozenset({"box", "circle", "pin", "bar", "polygon", "sector"})
+CLOSED = frozenset({"box", "circle", "pin", "bar", "taper", "polygon", "sector"})
 HATCHES = ("", "right", "left")
 SOLID_LINES = frozenset({"outline", "phantom"})  # of a body, unless declared otherwise
 LINES = ("outline", "thin", "centre", "hidden", "phantom")

@@ -36,3 +36,11 @@ def test_lines_stand_clear_of_those_of_the_cell(
     assert len(found.lines) == lines
     high = found.height * (1.0 + LEADING * (lines - 1) + REACH_BELOW)
     assert room[1] - high > 2 * 0.5  # half a line above and below, and as much free
+
+
+def test_sizes_are_broken_between_each_other_only() -> None:
+    sizes = "l = 240; mз = 3,15; z2 = 50; R = 78,75; hГ = 16; hВ = 22; b = 14"
+    found = set_in(sizes, 3.5, (79.0, 8.0), 2, between="; ")
+    assert len(found.lines) == 2
+    assert found.lines[0].endswith(";")
+    assert " ".join(found.lines) == sizes

@@ -37,6 +37,8 @@ from gripcourse.drawing.view.general_view import general_view
 from gripcourse.drawing.view.layout import SCALES
 from gripcourse.drawing.view.leaders import cross
 from gripcourse.drawing.view.lengths import FOR_REFERENCE, length_text
+from gripcourse.drawing.view.numbers import numbers_at
+from gripcourse.drawing.view.placed_shapes import shown
 from gripcourse.errors import CourseError
 from gripcourse.solver.plan import make_plan
 from gripcourse.solver.solve import solve_variant
@@ -244,6 +246,27 @@ def is_near(point: Point, strokes: list[Stroke]) -> bool:
     return min(map(abs, point)) < 1e-6 or any(
         list(outside(one, around)) != [one] for one in strokes
     )
+
+
+@each("any_variants", "any_variant")
+def test_the_largest_height_covers_the_other_position_too(draw: "Draw", any_variant: str) -> None:
+    drawn = draw(any_variant)
+    figure, view = drawn.view.figure, drawn.plan.scheme.view
+    assert view is not None
+    if view.other:
+        numbers = numbers_at(drawn.plan, view, drawn.values, view.other)
+        moved = [
+            stroke
+            for part in view.parts
+            if part.moves
+            for one in shown(part, numbers)
+            if one.face is Face.MAIN and one.kind is LineKind.OUTLINE
+            for stroke in one.outline.strokes
+        ]
+        low, high = reach(moved, Side.RIGHT)
+        known = [one.value for one in figure.measured if one.declared.side is Side.RIGHT]
+        known += [one.value for one in figure.overall if one.side is Side.RIGHT]
+        assert high[1] - low[1] <= max(known) + 0.2
 
 
 @each("any_variants", "any_variant")

@@ -73,15 +73,15 @@ class Cells:
             )
 
     def symbols(self, text: str, corner: Point, size: Point, height: float, most: int) -> None:
-        """Write into a cell from its left side, what follows `_` as a subscript: `d_ш = 5`."""
+        """Write sizes into a cell from its left side, a subscript behind `_`: `d_ш = 5; b = 3`."""
         room = (size[0] - 2 * PAD, size[1])
-        found = set_in(text.replace("_", ""), height, room, most)
+        found = set_in(text.replace("_", ""), height, room, most, between="; ")
         pitch = found.height * LEADING
         raised = (pitch / 2 + _RAISED * found.height) * (len(found.lines) - 1)
         level = corner[1] + size[1] / 2 + raised
         written = iter(text.split())
         for line in found.lines:
-            marked = " ".join(word for word, _ in zip(written, line.split(), strict=False))
+            marked = " ".join(next(written) for _ in line.split())
             self._symbols(marked, (corner[0] + PAD, level), found.height, room[0])
             level -= pitch
 

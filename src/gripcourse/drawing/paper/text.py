@@ -111,7 +111,9 @@ def height_within(text: str, height: float, width: float) -> float:
     return max(min(_READ_HEIGHT, height), height * min(1.0, width / text_width(text, height)))
 
 
-def set_in(text: str, height: float, room: tuple[float, float], most: int) -> Setting:
+def set_in(
+    text: str, height: float, room: tuple[float, float], most: int, between: str = " "
+) -> Setting:
     """Choose lines and height: as few lines as need no squeezing, else as can be read well.
 
     Args:
@@ -119,8 +121,9 @@ def set_in(text: str, height: float, room: tuple[float, float], most: int) -> Se
         height: of capital letters where there is room enough, mm.
         room: width and height, mm.
         most: lines.
+        between: where they may be broken.
     """
-    settings = [_set(text, height, room, count) for count in range(1, most + 1)]
+    settings = [_set(text, height, room, count, between) for count in range(1, most + 1)]
     widths = [one.height * _squeeze(one, room[0]) / height for one in settings]
     for enough in (_WIDE, _WIDE_ENOUGH, max(widths)):
         for one, width in zip(settings, widths, strict=True):
@@ -129,9 +132,9 @@ def set_in(text: str, height: float, room: tuple[float, float], most: int) -> Se
     return settings[0]
 
 
-def _set(text: str, height: float, room: tuple[float, float], count: int) -> Setting:
+def _set(text: str, height: float, room: tuple[float, float], count: int, between: str) -> Setting:
     high = min(height, room[1] / (LEADING * count + _CLEAR * (count - 1)))
-    lines = tuple(wrapped(text, high, room[0], count)) or ("",)
+    lines = tuple(wrapped(text, high, room[0], count, between)) or ("",)
     squeeze = min(room[0] / max(text_width(one, high), room[0]) for one in lines)
     # Smaller rather than narrower letters: not every program can draw those.
     high = max(min(_READ_HEIGHT, high), high * squeeze)
@@ -145,14 +148,23 @@ def _squeeze(one: Setting, width: float) -> float:
     return min(1.0, width / max(text_width(line, one.height) or width for line in one.lines))
 
 
-def wrapped(text: str, height: float, widest: float, most: int) -> list[str]:
-    """Break a text between words into at most so many lines; the last one takes what is left."""
+def wrapped(text: str, height: float, widest: float, most: int, between: str = " ") -> list[str]:
+    """Break a text between words into at most so many lines; the last one takes what is left.
+
+    Args:
+        text: the words.
+        height: of capital letters, mm.
+        widest: mm that a line may take.
+        most: lines.
+        between: what stands where a line may end; what of it is no space ends the line.
+    """
     lines: list[str] = []
-    for word in one_line(text).split():
-        longer = f"{lines[-1]} {word}" if lines else word
+    for word in filter(None, one_line(text).split(between)):
+        longer = f"{lines[-1]}{between}{word}" if lines else word
         if lines and (text_width(longer, height) <= widest or len(lines) == most):
             lines[-1] = longer
         else:
+            lines[-1:] = [one + between.rstrip() for one in lines[-1:]]
             lines.append(word)
     return lines
 

@@ -25,7 +25,6 @@ Rows = NDArray[np.intp]
 
 _CHORDS = 64  # of a full circle
 _QUARTER_CHORDS = 12  # of a quarter of a bar's round end
-_SHARPEST = 4.0  # how far the corner of a bar reaches at most, in half widths
 _FULL_TURN = 360.0
 
 
@@ -80,8 +79,6 @@ class Piece:
                 shapely.linestrings(self.points[rows]),
                 self.half[rows],
                 quad_segs=_QUARTER_CHORDS,
-                join_style="mitre",
-                mitre_limit=_SHARPEST,
             ),
             dtype=np.object_,
         )
@@ -220,7 +217,7 @@ def _half(needs: Mapping[str, Array]) -> Array:
 
 
 def _box(points: Array, half: Array | None) -> Array:
-    beyond = 0.0 if half is None else half * (1.0 if points.shape[1] == len("xy") else _SHARPEST)
+    beyond = 0.0 if half is None else half
     low, high = points.min(axis=1).T - beyond, points.max(axis=1).T + beyond
     return np.concatenate([low, high])
 
@@ -249,6 +246,20 @@ def _sector(needs: Mapping[str, Array]) -> Array:
     return np.concatenate([needs["at"][:, None], rim], axis=1)
 
 
+def _taper(needs: Mapping[str, Array]) -> Array:
+    start, end, radii = needs["start"], needs["end"], needs["widths"] / 2
+    x, y = (end - start).T
+    length = np.maximum(np.hypot(x, y), np.finfo(float).tiny)
+    lean = np.arccos(np.clip((radii[:, 0] - radii[:, 1]) / length, -1.0, 1.0))
+    along, lean = np.degrees(np.arctan2(y, x))[:, None], np.degrees(lean)[:, None]
+    turned = np.linspace(-1.0, 1.0, _CHORDS // 2 + 1)
+    far = _on_circle(end, radii[:, 1:], along + lean * turned)
+    near = _on_circle(
+        start, radii[:, :1], along + _FULL_TURN / 2 + (_FULL_TURN / 2 - lean) * turned
+    )
+    return np.concatenate([far, near], axis=1)
+
+
 def _on_circle(centre: Array, radius: Array, angles: Array) -> Array:
     turned = np.radians(angles)
     around = np.stack([radius * np.cos(turned), radius * np.sin(turned)], axis=-1)
@@ -260,6 +271,7 @@ _FIGURES = {
     "circle": _circle,
     "pin": _circle,
     "bar": _corners,
+    "taper": _taper,
     "polygon": _corners,
     "sector": _sector,
 }

@@ -134,7 +134,8 @@ def figure(plan: Plan, view: View, solved: Mapping[str, float]) -> Figure:
     there = [part for part in view.parts if not part.positions or view.position in part.positions]
     drawn = [(part, list(shown(part, main))) for part in there]
     shapes = [one for _, found in drawn for one in found]
-    seen = _seen(drawn, _ghosts(view, other))
+    ghosts = _ghosts(view, other)
+    seen = _seen(drawn, ghosts)
     measured = [_begun(one, seen) for one in _measured(view, main, other, solved)]
     return Figure(
         upright=view.upright,
@@ -148,7 +149,7 @@ def figure(plan: Plan, view: View, solved: Mapping[str, float]) -> Figure:
         positions=sorted(_positions(drawn, main), key=lambda one: one.mark),
         measured=measured,
         labelled=list(_labelled(view, main)),
-        overall=list(_overall(seen, measured)),
+        overall=[*_overall(seen, measured), *_overall_there(ghosts, seen, measured)],
         largest=max(drawn, key=_size)[0],
     )
 
@@ -256,6 +257,20 @@ def _overall(
             found = Overall(face, side, *reach(edges, side))
             if not any(_is_same(found, one) for one in measured):
                 yield found
+
+
+def _overall_there(
+    ghosts: Sequence[Shown], seen: Mapping[Face, Sequence[Seen]], measured: Sequence[Measured]
+) -> Iterator[Overall]:
+    """Yield the height of what moves in the other position, where it reaches beyond all else."""
+    moved = [one for shape in ghosts if shape.face is Face.MAIN for one in shape.outline.strokes]
+    edges = [one.stroke for one in seen[Face.MAIN] if one.kind is LineKind.OUTLINE]
+    if moved and edges:
+        found = Overall(Face.MAIN, Side.RIGHT, *reach(moved, Side.RIGHT))
+        held = Overall(Face.MAIN, Side.RIGHT, *reach(edges, Side.RIGHT))
+        beside = [one.value for one in measured if one.declared.side is Side.RIGHT]
+        if found.value > max([held.value, *beside]) + _TOLERANCE:
+            yield found
 
 
 def _is_same(overall: Overall, one: Measured) -> bool:

@@ -1,7 +1,7 @@
 """From a shape's numbers to its strokes and to what it covers. Lengths in mm, angles in degrees."""
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 
@@ -74,18 +74,58 @@ def _sector(needs: Mapping[str, Sequence[float]]) -> Outline:
 
 
 def _bar(needs: Mapping[str, Sequence[float]]) -> Outline:
-    """Draw a bar of even width along a chain of points, round at both ends."""
+    """Draw a bar of even width along a chain of points, round at both ends and outside of bends."""
     middle = [*_points(needs["through"])]
     half = needs["width"][0] / 2
-    left, right = _beside(middle, half), _beside(middle, -half)
-    first, last = _direction(middle[0], middle[1]), _direction(middle[-2], middle[-1])
+    there, back = _side(middle, half), _side(middle[::-1], half)
+    strokes = [*there, _end(middle[-2], middle[-1], half), *back, _end(middle[1], middle[0], half)]
+    return Outline(tuple(strokes), mask=_along(strokes))
+
+
+def _side(middle: Sequence[Point], half: float) -> Iterator[Stroke]:
+    """Yield the right side of a bar, in its direction; it is drawn round where it is outside."""
+    directions = [_direction(*pair) for pair in pairwise(middle)]
+    last = on_circle(middle[0], half, directions[0] - _QUARTER)
+    for corner, before, after in zip(middle[1:], directions, directions[1:], strict=False):
+        bend = (after - before + _FULL_TURN / 2) % _FULL_TURN - _FULL_TURN / 2
+        if bend > 0:
+            arc = Arc(corner, half, before - _QUARTER, before - _QUARTER + bend)
+            first, *_, end = points_of(arc)
+            yield from (Line(last, first), arc)
+        else:
+            reach = half / max(_SHARPEST, math.cos(math.radians(bend / 2)))
+            end = on_circle(corner, reach, before + bend / 2 - _QUARTER)
+            yield Line(last, end)
+        last = end
+    yield Line(last, on_circle(middle[-1], half, directions[-1] - _QUARTER))
+
+
+def _end(before: Point, end: Point, half: float) -> Arc:
+    along = _direction(before, end)
+    return Arc(end, half, along - _QUARTER, along + _QUARTER)
+
+
+def _taper(needs: Mapping[str, Sequence[float]]) -> Outline:
+    """Draw two circles and the lines that touch both from outside, with what lies between them."""
+    start, end = _point(needs["start"]), _point(needs["end"])
+    first, second = (width / 2 for width in needs["widths"])
+    length = math.dist(start, end)
+    if length <= abs(first - second):
+        return _circle({"at": start if first > second else end, "diameter": [max(needs["widths"])]})
+    along = _direction(start, end)
+    lean = math.degrees(math.acos((first - second) / length))
     ends = (
-        Arc(middle[-1], half, last - _QUARTER, last + _QUARTER),
-        Arc(middle[0], half, first + _QUARTER, first + 3 * _QUARTER),
+        Arc(end, second, along - lean, along + lean),
+        Arc(start, first, along + lean, along - lean + _FULL_TURN),
     )
-    strokes: tuple[Stroke, ...] = (*_chain(left), *_chain(right), *ends)
-    mask = (*right, *points_of(ends[0]), *reversed(left), *points_of(ends[1]))
-    return Outline(strokes, mask=mask)
+    (below, *_, above), (over, *_, under) = (points_of(one) for one in ends)
+    strokes = (Line(under, below), ends[0], Line(above, over), ends[1])
+    return Outline(strokes, mask=_along(strokes))
+
+
+def _along(strokes: Sequence[Stroke]) -> tuple[Point, ...]:
+    """Return the corners of what strokes enclose, each of which begins where the last one ends."""
+    return tuple(point for stroke in strokes for point in points_of(stroke)[:-1])
 
 
 def _section(needs: Mapping[str, Sequence[float]]) -> Outline:
@@ -94,8 +134,9 @@ def _section(needs: Mapping[str, Sequence[float]]) -> Outline:
     turn, half = _direction(first, last), needs["length"][0] / 2
     middle = ((first[0] + last[0]) / 2, (first[1] + last[1]) / 2)
     ends = [on_circle(middle, along, turn) for along in (-half, half)]
-    left, right = (_beside(ends, needs["width"][0] / 2 * side) for side in (1, -1))
-    return _closed([*right, *reversed(left)])
+    across = needs["width"][0] / 2
+    sides = ((ends[0], -_QUARTER), (ends[1], -_QUARTER), (ends[1], _QUARTER), (ends[0], _QUARTER))
+    return _closed([on_circle(end, across, turn + side) for end, side in sides])
 
 
 def _broken(needs: Mapping[str, Sequence[float]]) -> Outline:
@@ -114,6 +155,7 @@ _OUTLINES: Mapping[str, Callable[[Mapping[str, Sequence[float]]], Outline]] = {
     "circle": _circle,
     "pin": _pin,
     "bar": _bar,
+    "taper": _taper,
     "polygon": _polygon,
     "line": _line,
     "arc": _arc,
@@ -121,19 +163,6 @@ _OUTLINES: Mapping[str, Callable[[Mapping[str, Sequence[float]]], Outline]] = {
     "section": _section,
     "broken": _broken,
 }
-
-
-def _beside(middle: Sequence[Point], distance: float) -> list[Point]:
-    """Return the chain beside a chain, on its left where the distance is positive."""
-    directions = [_direction(*pair) for pair in pairwise(middle)]
-    chain = [on_circle(middle[0], distance, directions[0] + _QUARTER)]
-    for corner, before, after in zip(middle[1:], directions, directions[1:], strict=False):
-        bend = (after - before + _FULL_TURN / 2) % _FULL_TURN - _FULL_TURN / 2
-        across = before + bend / 2 + _QUARTER
-        reach = distance / max(_SHARPEST, math.cos(math.radians(bend / 2)))
-        chain.append(on_circle(corner, reach, across))
-    chain.append(on_circle(middle[-1], distance, directions[-1] + _QUARTER))
-    return chain
 
 
 def _direction(start: Point, end: Point) -> float:
