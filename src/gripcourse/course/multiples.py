@@ -65,4 +65,6 @@ def between(step: float, unit: str, bounds: tuple[float, float]) -> Multiples:
 
 
 def _multiples_text(one: Multiples, words: Words) -> str:
-    return words.say(message("multiples of {amount}", amount=amount_text(one.step, one.unit, words)))
+    return words.say(
+        message("multiples of {amount}", amount=amount_text(one.step, one.unit, words))
+    )

@@ -15,9 +15,7 @@ def unit_remedy(unit: str) -> Message:
     """Return our spelling of a unit, where a person would understand it; else where to look."""
     meant = read_unit(unit)
     if _OF_THERMOMETERS.search(unit):
-        return message(
-            "Write 'degC' for a temperature, 'K' for a difference of two."
-        )
+        return message("Write 'degC' for a temperature, 'K' for a difference of two.")
     meant = meant or _without_brackets(unit)
     if meant:
         return message("Write '{unit}': declarations spell units so.", unit=meant)

@@ -301,5 +301,3 @@ def _asked(
     symbol = quantity.symbol.of(words.language)
     wide = quantity.kind is Kind.VERDICT or not symbol
     return SheetItem(symbol, text, wide)
-
-

@@ -72,7 +72,9 @@ def _rule(quantity: Quantity, plan: Plan, words: Words) -> Iterator[str]:
         if searched is None:
             yield words.say(message("{sizes} that will do", sizes=sizes))
         else:
-            yield words.say(message("{sizes} for which {condition}", sizes=sizes, condition=searched))
+            yield words.say(
+                message("{sizes} for which {condition}", sizes=sizes, condition=searched)
+            )
     elif choice.rounding is Rounding.NEAREST and not choice.steps:
         yield words.say(message("the size of the series nearest to {needed}", needed=needed))
     elif choice.rounding is Rounding.NEAREST:

@@ -189,7 +189,8 @@ def _converted(
     read: NumberRead, unit: str, quantity: Quantity, zero: float = 0.0
 ) -> Understood | Message:
     scale = factor(unit) / factor(quantity.unit)
-    value = float(f"{read.value * scale + zero:.14g}")  # without what the conversion adds at the end
+    # Without what the conversion adds at the end.
+    value = float(f"{read.value * scale + zero:.14g}")
     if not math.isfinite(value):
         return _OUT_OF_RANGE
     remark = message(
