@@ -8,7 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from gripcourse.course.load import load_course
-from gripcourse.course.multiples import MOST, between
+from gripcourse.course.multiples import between
 from gripcourse.errors import CourseError
 from gripcourse.solver.plan import make_plan
 from gripcourse.solver.solve import evaluate, to_si

@@ -15,8 +15,8 @@ from gripcourse.text.units import known as known_unit
 from gripcourse.text.words import Texts, message
 
 _TAKE_SERIES = message(
-    "Write the catalogue and column whose sizes are chosen from: 'rod.size'; or multiple_of = 1 for "
-    "whole numbers."
+    "Write the catalogue and column whose sizes are chosen from: 'rod.size'; or multiple_of = 1 "
+    "for whole numbers."
 )
 _WRITE_CONDITION = message("Write the condition that the size must satisfy, or leave step_up out.")
 _ROUND_UP = message(

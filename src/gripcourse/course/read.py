@@ -11,8 +11,8 @@ from gripcourse.course.declare import declare
 from gripcourse.course.diagram import Element, read_elements
 from gripcourse.course.equations import read_equations
 from gripcourse.course.errata import Erratum, read_errata
-from gripcourse.course.keys import COURSE, PART, SHARED_DIAGRAM
 from gripcourse.course.implied_series import with_implied_series
+from gripcourse.course.keys import COURSE, PART, SHARED_DIAGRAM
 from gripcourse.course.kinematics import read_kinematics, read_positions
 from gripcourse.course.model import Catalogue, Course, Part, Scheme, Section, SectionDetail, Work
 from gripcourse.course.note import read_notes
