@@ -12,6 +12,7 @@ from gripcourse.proofs.calculations import (
     calculations,
     differences,
     prove_calculation,
+    silent_examples,
 )
 from gripcourse.proofs.model import Verdict
 from gripcourse.solver.solve import solve_variant
@@ -29,6 +30,18 @@ def calculation(course: Course) -> PrintedCalculation:
 def test_a_scheme_without_an_example_has_nothing_to_compare(course: Course) -> None:
     bare = {name: replace(one, example=None) for name, one in course.schemes.items()}
     assert list(calculations(replace(course, schemes=bare), ())) == []
+
+
+def test_an_example_that_expects_nothing_is_open(course: Course) -> None:
+    assert list(silent_examples(course)) == []
+    scheme = course.schemes[SCHEME]
+    assert scheme.example is not None
+    silent = replace(scheme.example, expected=dict.fromkeys(scheme.example.expected, {}))
+    changed = replace(course, schemes={SCHEME: replace(scheme, example=silent)})
+    (result,) = silent_examples(changed)
+    assert (result.verdict, result.compared) == (Verdict.OPEN, 0)
+    assert result.proof.file == f"variants/schemes/{SCHEME}/worked_example.toml"
+    assert "no number" in str(result.note)
 
 
 def test_a_torque_that_is_printed_wrongly_is_named(calculation: PrintedCalculation) -> None:

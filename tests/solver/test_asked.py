@@ -66,6 +66,30 @@ def test_with_steps_the_nearest_size_has_neighbours_on_either_side(
     assert said in deciding(chosen, plan, Words(language))
 
 
+@pytest.mark.parametrize(
+    ("language", "said"),
+    [
+        ("en", "the first size for which rod d ≥ 3"),
+        ("ru", "первое значение ряда из тех, для которых шток d ≥ 3"),
+        ("uk", "перше значення ряду з тих, для яких шток d ≥ 3"),
+    ],
+)
+def test_a_size_that_a_table_is_searched_for_is_told_with_the_column_and_what_it_must_reach(
+    plan: Plan, language: str, said: str
+) -> None:
+    bore = plan.quantities["bore"]
+    assert bore.choice is not None
+    written = 'at_least("bore_pneumatic.rod", 3)'
+    rule = replace(bore.choice, steps=0, condition=None)
+    source = replace(bore.source, note=None)
+    searched = replace(
+        bore, choice=rule, source=source, formula=Formula(written, parse(written), {})
+    )
+    assert said in deciding(searched, plan, Words(language)).replace("\u00a0", " ")
+    told = replace(searched, decides=bore.title)  # the author has said it in other words
+    assert " ≥ " not in deciding(told, plan, Words(language))
+
+
 def test_a_verdict_has_the_note_of_its_source(plan: Plan) -> None:
     verdict = plan.quantities["grip_holds"]
     assert verdict.kind is Kind.VERDICT

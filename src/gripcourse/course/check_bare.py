@@ -73,7 +73,12 @@ def _remedy(key: str, name: str, unit: str) -> Message:
             name=name,
             unit=unit,
         )
-    return message("Write the number in SI: degrees times pi/180, per cent as a share.")
+    if unit in _SHARES:
+        return message(
+            "Declare {name} as a share, without a unit, and compare it with 0.05 for 5 %.",
+            name=name,
+        )
+    return message("Write the number in SI: degrees times pi/180.")
 
 
 def _is_bare(node: Node) -> bool:

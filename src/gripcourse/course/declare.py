@@ -51,13 +51,13 @@ def declare(identifier: str, table: Table, *, constant: bool = False) -> Quantit
     table.known_keys()
     is_computed = kind in _COMPUTED
     units = read_evaluated_in(table) if is_computed else {}
-    bounds = _bounds(table, kind)
+    bounds, unit = _bounds(table, kind), _unit(table, kind)
     return Quantity(
         id=identifier,
         section="" if constant else table.text("section"),
         kind=kind,
         symbol=table.texts("symbol", may_be_empty=kind is Kind.MANUAL),
-        unit=_unit(table, kind),
+        unit=unit,
         title=table.texts("title"),
         explain=table.texts("explain") if table.has("explain") else None,
         decides=table.texts("decides") if table.has("decides") else None,
@@ -67,7 +67,7 @@ def declare(identifier: str, table: Table, *, constant: bool = False) -> Quantit
         source=source(table.required_table("source")),
         formula=read_formula(table, _FORMULA_KEY[kind], units) if kind in _FORMULA_KEY else None,
         route=optional_formula(table, "route") if kind is Kind.FORMULA else None,
-        choice=read_choice(table) if kind is Kind.CHOICE else None,
+        choice=read_choice(table, unit, bounds) if kind is Kind.CHOICE else None,
         value=table.number("value") if kind is Kind.CONSTANT else None,
         valid=optional_formula(table, "valid") if is_computed else None,
         tolerance=_tolerance(table) if is_computed else None,

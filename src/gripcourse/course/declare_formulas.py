@@ -3,6 +3,7 @@
 import math
 from collections.abc import Mapping
 
+from gripcourse.course.multiples import MOST, Multiples, between
 from gripcourse.course.quantity import Alternative, AsPrinted, Choice, Rounding, Slip
 from gripcourse.course.toml_table import Table
 from gripcourse.course.unit_words import unit_remedy
@@ -13,7 +14,10 @@ from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.units import known as known_unit
 from gripcourse.text.words import Texts, message
 
-_TAKE_SERIES = message("Write the catalogue and column whose sizes are chosen from: 'rod.size'.")
+_TAKE_SERIES = message(
+    "Write the catalogue and column whose sizes are chosen from: 'rod.size'; or multiple_of = 1 "
+    "for whole numbers."
+)
 _WRITE_CONDITION = message("Write the condition that the size must satisfy, or leave step_up out.")
 _ROUND_UP = message(
     "Leave rounding out: the first size is the next one above, or leave step_up out."
@@ -42,8 +46,14 @@ def read_evaluated_in(table: Table) -> dict[str, str]:
     return units
 
 
-def read_choice(table: Table) -> Choice:
-    """Read the rule of a design decision."""
+def read_choice(table: Table, unit: str, bounds: tuple[float, float]) -> Choice:
+    """Read the rule of a design decision.
+
+    Args:
+        table: of its quantity.
+        unit: of the quantity.
+        bounds: of the quantity, which end a series of multiples.
+    """
     steps = table.number("at_most_steps") if table.has("at_most_steps") else None
     if steps is not None and math.isnan(steps):
         steps = None  # reported as no number
@@ -53,21 +63,46 @@ def read_choice(table: Table) -> Choice:
             message("The number of steps is {steps}.", steps=steps),
             message("Write a whole number from 0 on."),
         )
-    if not table.has("series"):
+    multiples = _multiples(table, unit, bounds) if table.has("multiple_of") else None
+    if not (table.has("series") or table.has("multiple_of")):
         table.add("series", message("This key is missing."), _TAKE_SERIES)
+    if table.has("series") and table.has("multiple_of"):
+        what = message("A size is taken from a series or is a multiple, not both.")
+        table.add("multiple_of", what, message("Remove one of the keys."))
+    series = table.text("series") if table.has("series") else ""
     rounding, step_up = _rounding(table), table.flag("step_up")
     if step_up and not table.has("condition"):
         table.add("step_up", message("There is no condition to step up by."), _WRITE_CONDITION)
     if step_up and rounding is Rounding.NEAREST:
         table.add("step_up", message("The nearest size does not step up."), _ROUND_UP)
     return Choice(
-        column=table.text("series") if table.has("series") else "",
+        column=series if multiples is None else multiples.column,
         also=table.strings("also"),
         rounding=rounding,
         condition=optional_formula(table, "condition"),
         steps=None if steps is None else int(steps),
         step_up=step_up,
+        multiples=multiples,
     )
+
+
+def _multiples(table: Table, unit: str, bounds: tuple[float, float]) -> Multiples | None:
+    """Read of what number the sizes are multiples; None (and a problem) for what gives no sizes."""
+    step = table.number("multiple_of")
+    if not (math.isfinite(step) and all(map(math.isfinite, bounds))):
+        return None  # reported as no number
+    if step <= 0:
+        what = message("Nothing is a multiple of {number}.", number=step)
+        table.add("multiple_of", what, message("Write a number greater than 0."))
+        return None
+    found = between(step, unit, bounds)
+    count = max(found.last - found.first + 1, 0)
+    if not 0 < count <= MOST:
+        what = message("Between the bounds of the quantity it has {count} multiples.", count=count)
+        remedy = message("Write bounds or a number that leave 1 to {most}.", most=MOST)
+        table.add("multiple_of", what, remedy)
+        return None
+    return found
 
 
 def _rounding(table: Table) -> Rounding:

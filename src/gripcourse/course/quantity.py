@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 from enum import StrEnum
 from typing import Final
 
+from gripcourse.course.multiples import Multiples
 from gripcourse.course.toml_table import Table
 from gripcourse.formula.functions import is_entry
 from gripcourse.formula.tree import Formula
@@ -143,6 +144,7 @@ class Choice:
             not wasteful; None for no limit.
         step_up: whether the reference is the smallest size that satisfies the condition too; else
             the condition only checks the size that the rounding takes.
+        multiples: what the series is, where it is no catalogue of the author's.
     """
 
     column: str
@@ -151,6 +153,7 @@ class Choice:
     condition: Formula | None
     steps: int | None
     step_up: bool = False
+    multiples: Multiples | None = None
 
 
 @dataclass(frozen=True, slots=True)

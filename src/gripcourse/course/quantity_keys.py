@@ -147,7 +147,11 @@ _GIVEN: Final = {
     "range": table("What variants draw it from; the space of a scheme may replace it.", RANGE),
 }
 _CHOICE: Final = {
-    "series": text("`catalogue.column` of the preferred series.", required=True),
+    "series": text("`catalogue.column` of the preferred series; or write `multiple_of`."),
+    "multiple_of": number(
+        "Instead of a series: sizes are the whole multiples of this number between the bounds, in "
+        "the unit of the quantity. 1 for whole numbers, 10 for what is rounded to tens."
+    ),
     "also": strings("Further series that are accepted."),
     "at_least": text("Formula of the value that the entry must not be below.", required=True),
     "condition": text(

@@ -11,6 +11,7 @@ from gripcourse.course.declare import declare
 from gripcourse.course.diagram import Element, read_elements
 from gripcourse.course.equations import read_equations
 from gripcourse.course.errata import Erratum, read_errata
+from gripcourse.course.implied_series import with_implied_series
 from gripcourse.course.keys import COURSE, PART, SHARED_DIAGRAM
 from gripcourse.course.kinematics import read_kinematics, read_positions
 from gripcourse.course.model import Catalogue, Course, Part, Scheme, Section, SectionDetail, Work
@@ -70,7 +71,7 @@ def read_course(root: Path) -> tuple[Course | None, list[Problem]]:
         )
     )
     is_whole = errata is not None and _is_whole(course, folder)
-    return course if is_whole else None, problems
+    return with_implied_series(course) if is_whole else None, problems
 
 
 def _is_whole(course: Course, folder: Path) -> bool:

@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import Final
 
 from gripcourse.course.compose import all_part_ids
+from gripcourse.course.implied_series import is_implied
 from gripcourse.course.model import Course, Scheme
 from gripcourse.machine.kept import digest_of
 from gripcourse.machine.resources import REQUIRED_FOLDERS, VARIANTS
@@ -106,7 +107,7 @@ class SourceFiles:
             catalogues={
                 name: one
                 for name, one in course.catalogues.items()
-                if f"{CATALOGUES}{name}.csv" in listed
+                if f"{CATALOGUES}{name}.csv" in listed or is_implied(one)
             },
         )
 

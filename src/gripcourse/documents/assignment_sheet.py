@@ -4,7 +4,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 
 from gripcourse.course.model import Course, Section
-from gripcourse.course.quantity import Kind, Quantity, Tolerance
+from gripcourse.course.quantity import Kind, Quantity
 from gripcourse.documents.appendix import appendix_of, cited_tables
 from gripcourse.documents.assignment_rules import course_notes, hand_in, judging_rules
 from gripcourse.documents.pdf import Chart, Document, picture, render_pdf
@@ -14,8 +14,9 @@ from gripcourse.drawing.diagram.nominal import nominal_values
 from gripcourse.issuing.seal import seal_modules, seal_of, seal_svg
 from gripcourse.policy.model import Policy
 from gripcourse.solver.asked import deciding
+from gripcourse.solver.band_text import band_text
 from gripcourse.solver.plan import Plan
-from gripcourse.text.amounts import NO_BREAK_SPACE, counted_points, day_text, percent_text
+from gripcourse.text.amounts import NO_BREAK_SPACE, counted_points, day_text
 from gripcourse.text.units import stands_close, unit_text
 from gripcourse.text.words import Message, Words, message
 from gripcourse.variants.model import Issued
@@ -292,7 +293,7 @@ def _asked(
     band = policy.tolerances.get(quantity.id) or quantity.tolerance
     unusual = band is not None and band.relative != policy.tolerance.relative
     if band is not None and unusual and not quantity.exact:
-        text += f", {_band(band, words)}"
+        text += f", {band_text(band, quantity.unit, words)}"
     said = deciding(quantity, plan, words)
     text += f"; {said}" if said else ""
     if cited is not None:
@@ -300,7 +301,3 @@ def _asked(
     symbol = quantity.symbol.of(words.language)
     wide = quantity.kind is Kind.VERDICT or not symbol
     return SheetItem(symbol, text, wide)
-
-
-def _band(band: Tolerance, words: Words) -> str:
-    return f"±{NO_BREAK_SPACE}{percent_text(band.relative, words)}"

@@ -64,7 +64,7 @@ def formula_lines() -> Iterator[str]:
         "All names enter in SI (m, N, Pa, rad, kg, s), so a bare number that has a unit is written "
         "with a constant, or the formula says `evaluated_in`. Both sides must have one dimension. "
         "What stands in `1 + x` is declared as a share, without a unit: 0.05, not 5 %. Nothing "
-        "rounds: a whole number is a choice from a series of whole numbers."
+        "rounds: what is rounded to whole numbers or to a step is a choice with `multiple_of`."
     )
     yield from ("", "| function | what it gives |", "|---|---|")
     for name in FUNCTIONS:

@@ -10,7 +10,7 @@ from gripcourse.course.model import Course
 from gripcourse.course.quantity import Convention
 from gripcourse.errors import Problem
 from gripcourse.formula.evaluate import evaluate_number
-from gripcourse.proofs.model import Proof, ProofKind, ProofResult, concluded
+from gripcourse.proofs.model import Proof, ProofKind, ProofResult, Verdict, concluded
 from gripcourse.proofs.published_cases import PublishedCase
 from gripcourse.solver.plan import Plan, make_plan
 from gripcourse.solver.solve import evaluate, solve_variant, to_si
@@ -20,6 +20,7 @@ from gripcourse.text.words import LANGUAGES, Message, Texts, message
 
 _SAME = 1e-12  # relative: what floating point leaves of an equal number
 _ONE_VALUE = 1e-6  # relative: what two ways to one value may differ by
+_EXPECTS_NOTHING = message("it expects no number that was computed elsewhere")
 _FIGURES = 10  # shown: the expected digits must be seen to differ
 
 
@@ -84,6 +85,20 @@ def calculations(
                 case.file,
                 f"{case.key}.expected",
             )
+
+
+def silent_examples(course: Course, scheme: str | None = None) -> Iterator[ProofResult]:
+    """Yield the worked examples that expect no number, as what is open: nothing believes them.
+
+    Args:
+        course: a course without problems.
+        scheme: only of this scheme; None for all.
+    """
+    for one in course.schemes.values():
+        if scheme in {None, one.id} and one.example and not any(one.example.expected.values()):
+            file = f"{one.file.removesuffix('scheme.toml')}worked_example.toml"
+            proof = Proof(ProofKind.EXAMPLE, one.id, file, "corrected.expected")
+            yield ProofResult(proof, Verdict.OPEN, 0, (), _EXPECTS_NOTHING)
 
 
 def prove_calculation(one: PrintedCalculation) -> ProofResult:

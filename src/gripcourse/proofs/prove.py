@@ -11,6 +11,7 @@ from gripcourse.proofs.calculations import (
     PrintedCalculation,
     calculations,
     prove_calculation,
+    silent_examples,
 )
 from gripcourse.proofs.check_declared import load_declared_proofs
 from gripcourse.proofs.declared import DeclaredProofs
@@ -142,7 +143,8 @@ def _printed_numbers(subject: Subject, kind: ProofKind) -> Iterator[ProofResult]
 
 
 def _examples(subject: Subject, _trials: _Trials) -> Iterator[ProofResult]:
-    return _printed_numbers(subject, ProofKind.EXAMPLE)
+    yield from _printed_numbers(subject, ProofKind.EXAMPLE)
+    yield from silent_examples(subject.course, subject.scheme)
 
 
 def _published_cases(subject: Subject, _trials: _Trials) -> Iterator[ProofResult]:

@@ -6,7 +6,7 @@ from gripcourse.text.words import Message, counted
 def in_sets(wrong: int, count: int) -> Message:
     """Say in how many sets of numbers something is wrong: a phrase with its preposition."""
     return counted(
-        "in the one set of numbers that was tried",
+        "in {wrong} of {count} set of numbers",
         "in {wrong} of {count} sets of numbers",
         count,
         wrong=wrong,
@@ -16,7 +16,7 @@ def in_sets(wrong: int, count: int) -> Message:
 def in_comparisons(wrong: int, count: int) -> Message:
     """Say in how many comparisons something is wrong: a phrase with its preposition."""
     return counted(
-        "in the one comparison that was made",
+        "in {wrong} of {count} comparison",
         "in {wrong} of {count} comparisons",
         count,
         wrong=wrong,

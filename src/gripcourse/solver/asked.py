@@ -10,10 +10,11 @@ from typing import Final
 from gripcourse.course.model import Work
 from gripcourse.course.quantity import Choice, Kind, Quantity, Rounding
 from gripcourse.formula.plain import text
-from gripcourse.formula.tree import Call, Formula, walk
+from gripcourse.formula.tree import Call, Formula, Node, names, walk
 from gripcourse.formula.typeset import symbol_box, typeset
 from gripcourse.solver.condition_text import condition_text
 from gripcourse.solver.plan import Plan
+from gripcourse.text.amounts import NO_BREAK_SPACE
 from gripcourse.text.words import Message, Words, counted, message
 
 NOTED: Final = frozenset({Kind.CHOICE, Kind.PICK, Kind.VERDICT})
@@ -65,7 +66,15 @@ def _rule(quantity: Quantity, plan: Plan, words: Words) -> Iterator[str]:
         return
     sizes, needed = _sizes(choice), _written(formula, plan, words.language)
     if _reads_table(formula):
-        yield words.say(message("{sizes} that will do", sizes=sizes))
+        # Who has said in words which sizes will do is not interrupted.
+        told = quantity.decides is not None or quantity.source.note is not None
+        searched = None if told else _searched(formula.tree, plan, words)
+        if searched is None:
+            yield words.say(message("{sizes} that will do", sizes=sizes))
+        else:
+            yield words.say(
+                message("{sizes} for which {condition}", sizes=sizes, condition=searched)
+            )
     elif choice.rounding is Rounding.NEAREST and not choice.steps:
         yield words.say(message("the size of the series nearest to {needed}", needed=needed))
     elif choice.rounding is Rounding.NEAREST:
@@ -112,14 +121,39 @@ def _sizes(choice: Choice) -> Message:
     )
 
 
+def _searched(tree: Node, plan: Plan, words: Words) -> str | None:
+    """Say which column of a table decides on a size, and what it must reach; None: something else.
+
+    Args:
+        tree: of the value that a size must not be below.
+        plan: of the size.
+        words: the reader's language.
+    """
+    match tree:
+        case Call("at_least", (needed,), str(column)) if not _reads(needed):
+            catalogue, _, name = column.partition(".")
+            heading = plan.course.catalogues[catalogue].headings.get(name)
+            if heading is not None:
+                reached = _set(needed, plan, words.language)
+                return f"{heading.of(words.language)} ≥ {reached}".replace(" ", NO_BREAK_SPACE)
+    return None
+
+
 def _reads_table(formula: Formula) -> bool:
-    return any(isinstance(one, Call) and one.function in _READINGS for one in walk(formula.tree))
+    return _reads(formula.tree)
+
+
+def _reads(tree: Node) -> bool:
+    return any(isinstance(one, Call) and one.function in _READINGS for one in walk(tree))
 
 
 def _written(formula: Formula, plan: Plan, language: str) -> str:
-    symbols = {name: symbol_box(plan.quantities[name].symbol.of(language))
-               for name in formula.names}  # fmt: skip
-    return text(typeset(formula.tree, symbols, language))
+    return _set(formula.tree, plan, language)
+
+
+def _set(tree: Node, plan: Plan, language: str) -> str:
+    symbols = {name: symbol_box(plan.quantities[name].symbol.of(language)) for name in names(tree)}
+    return text(typeset(tree, symbols, language))
 
 
 def _citation(quantity: Quantity, plan: Plan, words: Words) -> Iterator[str]:

@@ -5,7 +5,7 @@ A unit is spelled by names of `units.csv` joined by `*`, `/` and `**`, for examp
 and what it is made of in SI.
 
 Angles are plain numbers whose SI unit is the radian. A temperature in `degC` counts from 0 °C: its
-differences are what is in `K`; what asks for one from absolute zero adds a constant of 273.15 K.
+differences are what is in `K`, and one from absolute zero has a constant of 273.15 K added.
 """
 
 import csv

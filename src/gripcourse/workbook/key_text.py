@@ -7,6 +7,7 @@ from gripcourse.formula.plain import text
 from gripcourse.formula.prose import without_looks
 from gripcourse.formula.tree import Call, Formula, names, walk
 from gripcourse.formula.typeset import symbol_box, typeset
+from gripcourse.solver.band_text import band_text
 from gripcourse.solver.condition_text import condition_text
 from gripcourse.solver.plan import Plan
 from gripcourse.solver.sizes import reference_rounding, reference_steps_up
@@ -71,7 +72,7 @@ def tolerance_text(quantity: Quantity, words: Words) -> str:
         return ""
     if quantity.tolerance is None:
         return words.say(message("by the policy"))
-    return f"± {words.number(100 * quantity.tolerance.relative)} %"
+    return band_text(quantity.tolerance, quantity.unit, words)
 
 
 def _symbols(formula: Formula, quantity: Quantity, plan: Plan, words: Words) -> dict[str, Box]:

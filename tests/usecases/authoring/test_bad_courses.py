@@ -15,6 +15,18 @@ from gripcourse.usecases.authoring.init import empty_course
 COURSE = "variants/course.toml"
 SCHEME = "variants/schemes/rod/scheme.toml"
 POLICY = "grader/policy.toml"
+PART = "variants/sections/tension.toml"
+SPEED = """
+[quantity.extra]
+section = "loads"
+kind = "formula"
+symbol = "x"
+unit = "kg*m"
+formula = "FORMULA"
+bounds = [0, 1e9]
+source = { work = "textbook" }
+title = { en = "x", ru = "x", uk = "x" }
+"""
 Edit = tuple[str, str, str]
 
 
@@ -100,3 +112,44 @@ def test_one_given_has_one_unit_in_all_schemes(sound: Path, tmp_path: Path) -> N
     ((file, key, what),) = problems(root)
     assert (file, key) == (SCHEME, "quantity.mass.unit")
     assert "'g' in variants/schemes/bar/scheme.toml" in what
+
+
+@pytest.mark.parametrize("text", ["", "# to be written\n"])
+def test_a_part_that_declares_nothing_is_one_problem_with_what_its_schemes_lack(
+    sound: Path, tmp_path: Path, text: str
+) -> None:
+    root = tmp_path / "course"
+    shutil.copytree(sound, root)
+    (root / PART).write_text(text, encoding="utf-8")
+    scheme = (root / SCHEME).read_text(encoding="utf-8")
+    scheme += SPEED.replace("FORMULA", "mass*diameter + safety*diameter*mass")
+    (root / SCHEME).write_text(scheme, encoding="utf-8")
+    course, found = read_course(root)
+    assert course is not None
+    (told,) = (one for one in [*found, *check_course(course)] if one.file != POLICY)
+    assert (told.file, str(told.key)) == (PART, "")
+    assert "lack 2 names: diameter, safety." in str(told.what)
+
+
+def test_an_empty_scheme_lacks_its_own_keys_and_nothing_that_is_drawn_of_it(
+    sound: Path, tmp_path: Path
+) -> None:
+    root = tmp_path / "course"
+    shutil.copytree(sound, root)
+    (root / SCHEME).write_text("", encoding="utf-8")
+    drawing = root / SCHEME.replace("scheme.toml", "diagram.toml")
+    drawing.write_text('[point]\na = ["diameter", "diameter"]\n', encoding="utf-8")
+    assert {key for file, key, _ in problems(root) if file == SCHEME} == {"id", "title", "task"}
+    assert not [one for one in problems(root) if "diameter" in one[2]]
+
+
+def test_a_constant_that_is_called_otherwise_now_is_suggested(sound: Path, tmp_path: Path) -> None:
+    root = tmp_path / "course"
+    shutil.copytree(sound, root)
+    course_file = root / COURSE
+    written = course_file.read_text(encoding="utf-8")
+    course_file.write_text(written.replace("constant.gravity", "constant.gravitation"), "utf-8")
+    course, _ = read_course(root)
+    assert course is not None
+    (told,) = check_course(course)
+    assert str(told.remedy) == "Did you mean 'gravitation'?"
