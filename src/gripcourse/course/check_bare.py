@@ -76,7 +76,7 @@ def _remedy(key: str, name: str, unit: str) -> Message:
     if unit in _SHARES:
         return message(
             "Declare {name} as a share, without a unit, and compare it with 0.05 for 5 %.",
-            name=scaled,
+            name=name,
         )
     return message("Write the number in SI: degrees times pi/180.")
 
