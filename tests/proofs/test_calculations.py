@@ -36,7 +36,7 @@ def test_an_example_that_expects_nothing_is_open(course: Course) -> None:
     assert list(silent_examples(course)) == []
     scheme = course.schemes[SCHEME]
     assert scheme.example is not None
-    silent = replace(scheme.example, expected=dict.fromkeys(scheme.example.expected, {}))
+    silent = replace(scheme.example, expected={key: {} for key in scheme.example.expected})
     changed = replace(course, schemes={SCHEME: replace(scheme, example=silent)})
     (result,) = silent_examples(changed)
     assert (result.verdict, result.compared) == (Verdict.OPEN, 0)

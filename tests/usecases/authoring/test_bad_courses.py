@@ -153,3 +153,20 @@ def test_a_constant_that_is_called_otherwise_now_is_suggested(sound: Path, tmp_p
     assert course is not None
     (told,) = check_course(course)
     assert str(told.remedy) == "Did you mean 'gravitation'?"
+
+
+def test_a_percentage_beside_a_number_in_a_verdict_is_to_be_declared_as_a_share(
+    sound: Path, tmp_path: Path
+) -> None:
+    root = tmp_path / "course"
+    shutil.copytree(sound, root)
+    part = (root / PART).read_text(encoding="utf-8")
+    part = part.replace("stress <= allowed_stress", "0.05 <= extra and extra <= 0.35")
+    (root / PART).write_text(part, encoding="utf-8")
+    scheme = (root / SCHEME).read_text(encoding="utf-8")
+    scheme += SPEED.replace("FORMULA", "stress/allowed_stress").replace('"kg*m"', '"%"')
+    (root / SCHEME).write_text(scheme, encoding="utf-8")
+    course, _ = read_course(root)
+    assert course is not None
+    (told,) = check_course(course)
+    assert str(told.remedy).startswith("Declare extra as a share, without a unit")
