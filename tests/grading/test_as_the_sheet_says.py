@@ -61,3 +61,20 @@ def test_an_efficiency_follows_from_ones_own_ratios(table: "tuple[Case, ...]") -
     ratio = {name: wrong[name] for name in ("lead_angle", "torque_ratio")}
     answers = case.following(**ratio, mechanism_efficiency=efficiency)
     assert case.lost(answers) == {"lead_angle"}
+
+
+def test_a_torque_follows_from_ones_own_speed(flat_belt: "Case") -> None:
+    """Behind the drive it is the power over the speed there, as well as a torque times a ratio."""
+    given = flat_belt.given
+    wrong = given["motor_speed"] * flat_belt.reference["ratio_actual"]
+    torque = 9550 * given["power"] * given["efficiency"] / wrong
+    answers = flat_belt.following(driven_speed=wrong, torque_large=torque)
+    assert flat_belt.lost(answers) == {"driven_speed"}
+
+
+def test_a_power_follows_from_ones_own_torque(table: "tuple[Case, ...]") -> None:
+    """Torque times the speed of the shaft: a wrong torque is one mistake."""
+    case = next(one for one in table if "drive_torque" in one.answers)
+    wrong = {name: 1.4 * case.reference[name] for name in ("drive_torque", "motor_power_required")}
+    follow = case.following(**wrong)
+    assert case.lost(follow) == {"drive_torque"}
