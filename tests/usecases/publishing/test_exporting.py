@@ -13,7 +13,12 @@ from gripcourse.exports.platforms.works import works_of
 from gripcourse.grading.model import Report
 from gripcourse.text.words import Words
 from gripcourse.usecases.grading.batch_tables import json_text
-from gripcourse.usecases.publishing.exporting import Results, gradescope_file, moodle_files
+from gripcourse.usecases.publishing.exporting import (
+    Results,
+    gradescope_file,
+    moodle_files,
+    open_results,
+)
 from support.reports import perfect, values, variant
 
 if TYPE_CHECKING:
@@ -43,6 +48,16 @@ def test_of_several_works_of_a_student_gradescope_gets_the_one_that_counts(
     results = several(issued, perfect, False, True, False)
     gradescope_file(results, "s01", out, published=False)
     assert json.loads(out.read_text(encoding="utf-8"))["score"] == 1
+
+
+def test_the_folder_of_a_grading_stands_for_its_results(
+    issued: "Classroom", perfect: Report, tmp_path: Path
+) -> None:
+    file = tmp_path / "grades.json"
+    file.write_text(json_text([replace(perfect, student="s01")], Words("en")), encoding="utf-8")
+    named, whole = (open_results(issued.course.root, one) for one in (file, tmp_path))
+    assert whole == named
+    assert whole.reports == tmp_path / "reports"
 
 
 def test_where_no_rule_says_which_counts_a_person_is_asked(

@@ -35,6 +35,7 @@ from gripcourse.machine.database.home import exists
 from gripcourse.machine.files import write_bytes, write_text
 from gripcourse.policy.load import load_policy
 from gripcourse.text.words import Message, Words, message
+from gripcourse.usecases.grading.batch_tables import GRADES_JSON
 from gripcourse.usecases.grading.grade import REPORTS
 from gripcourse.variants.model import Student
 from gripcourse.variants.table import read_table
@@ -77,11 +78,16 @@ class Results:
 def open_results(root: Path, grades: Path) -> Results:
     """Read `grades.json` and the register of its course.
 
+    Args:
+        root: folder of the course.
+        grades: the file, or the folder that grading wrote it into.
+
     Raises:
         UsageError: the file is none that grading wrote.
         GripcourseError: the course or its register cannot be used.
         OSError: the file cannot be read.
     """
+    grades = grades / GRADES_JSON if grades.is_dir() else grades
     try:
         plain = json.loads(grades.read_text(encoding="utf-8"))
     except ValueError as fault:
