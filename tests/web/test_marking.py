@@ -98,7 +98,7 @@ def test_what_the_program_found_is_overruled_with_a_reason(
     """A student asks for another look: whoever answers needs no command line."""
     page = "/desk/marking/s01/grip_force"
     assert page in places(signed_in.get("/desk/student/s01").text)
-    shown = signed_in.get(page).text
+    shown = signed_in.get(page, headers={"accept-language": "en"}).text
     assert "The program found" in shown
     assert 'rel="next"' not in shown
     refused = marked(signed_in, page, credit="0.5", comment="")
