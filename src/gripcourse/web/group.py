@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from datetime import datetime
 from enum import StrEnum
 
-from gripcourse.access.desk.model import HandIn
+from gripcourse.access.desk.model import HandIn, RegradeRequest
 from gripcourse.gradebook.model import Attempt, GradebookEntry, latest_marks_of_all
 from gripcourse.gradebook.store import Gradebook
 from gripcourse.gradebook.works import latest_judged, points_of
@@ -24,7 +24,8 @@ class GroupMember:
         issued: the student and what was issued.
         hand_in: the last file; None for none.
         late: whether it came after the last day.
-        files, checks, requests: how many.
+        files, checks: how many.
+        requests: for another look that no mark of the item has answered since.
         attempt: the last one that was judged; None for none.
         marked: the marks of persons that count, by quantity.
     """
@@ -108,9 +109,13 @@ def rows_of(context: DeskContext) -> tuple[GroupMember, ...]:
     last = latest(context, hand_ins)
     files = Counter(one.student for one in hand_ins)
     checks = Counter(one.student for one in context.desk.checks())
-    requests = Counter(one.student for one in context.desk.requests())
     book = Gradebook(context.desk.engine)
     attempts, marked = latest_judged(book.standing()), latest_marks_of_all(book.entries())
+    requests = Counter(
+        one.student
+        for one in context.desk.requests()
+        if not is_answered(one, marked.get(one.student, {}))
+    )
     rows = (
         GroupMember(
             issued=issued,
@@ -125,6 +130,12 @@ def rows_of(context: DeskContext) -> tuple[GroupMember, ...]:
         for id_, issued in context.register().items()
     )
     return tuple(sorted(rows, key=lambda row: by_group_and_name(row.issued.student)))
+
+
+def is_answered(one: RegradeRequest, marked: Mapping[str, GradebookEntry]) -> bool:
+    """Tell whether somebody marked an item since a student asked for another look at it."""
+    entry = marked.get(one.item)
+    return entry is not None and entry.mark.marked_at > one.at
 
 
 def row_of(context: DeskContext, student: str) -> GroupMember | None:
