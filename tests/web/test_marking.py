@@ -2,6 +2,7 @@
 
 import re
 from dataclasses import replace
+from datetime import timedelta
 from html import unescape
 from typing import TYPE_CHECKING
 
@@ -97,14 +98,19 @@ def test_what_the_program_found_is_overruled_with_a_reason(
 ) -> None:
     """A student asks for another look: whoever answers needs no command line."""
     page = "/desk/marking/s01/grip_force"
+    asked = graded.clock.now - timedelta(hours=1)
+    graded.context.desk.add_request("s01", "grip_force", "Please look again.", asked)
+    asks = '<a href="/desk/student/s01">'
+    assert asks in signed_in.get("/desk/?state=asks").text
     assert page in places(signed_in.get("/desk/student/s01").text)
-    shown = signed_in.get(page).text
+    shown = signed_in.get(page, headers={"accept-language": "en"}).text
     assert "The program found" in shown
     assert 'rel="next"' not in shown
     refused = marked(signed_in, page, credit="0.5", comment="")
     assert 'role="alert"' in refused
     after = marked(signed_in, page, credit="0.5", comment="Read wrongly by us.")
     assert "Read wrongly by us." in after
+    assert asks not in signed_in.get("/desk/?state=asks").text
     (mark,) = [
         one.mark for one in book(graded).entries({"s01"}) if one.mark.quantity == "grip_force"
     ]

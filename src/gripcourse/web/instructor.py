@@ -19,6 +19,7 @@ from gripcourse.web.group import (
     GroupState,
     Wish,
     groups_of,
+    is_answered,
     newer_than,
     row_of,
     rows_of,
@@ -122,7 +123,7 @@ def student(seat: Seat) -> Response:
             for one in (() if row.attempt is None else row.attempt.results)
         ],
         "marks": [entry.mark for entry in book.entries({id_})],
-        "requests": context.desk.requests(id_),
+        "requests": [(one, is_answered(one, row.marked)) for one in context.desk.requests(id_)],
         "report": published is not None and published.pdf is not None,
         "flags": flags_of(seat.site, seat.words, id_),
         "titles": titles_of(context, seat.words),

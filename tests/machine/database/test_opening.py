@@ -122,6 +122,16 @@ def test_a_full_disk_is_called_so() -> None:
             connection.execute(text("INSERT INTO kept VALUES (zeroblob(100000))"))
 
 
+def test_a_disk_that_is_only_read_is_told_in_the_readers_language() -> None:
+    with create_engine("sqlite://").begin() as connection:
+        connection.execute(text("PRAGMA query_only = 1"))
+        with pytest.raises(GradebookError) as caught, refusals_named("here"):
+            connection.execute(text("CREATE TABLE kept (value TEXT)"))
+    (problem,) = caught.value.problems
+    assert "not written" in str(problem.what)
+    assert problem.what.values == {}, "a database speaks English"
+
+
 def test_a_password_is_never_shown() -> None:
     url = make_url("postgresql+psycopg://teacher:secret@localhost/course")
     assert "secret" not in without_password(url)

@@ -17,6 +17,7 @@ _TAKEN: Final = "23505"
 _LOCKED: Final = "55P03"
 _FULL: Final = "53100"
 _GONE: Final = ("08", "57P", "53300")  # lost connections, a server that ends or begins, too many
+_PRIMARY: Final = 0xFF  # of a code of SQLite; what is above tells a sort of it
 _AGAIN: Final = message(
     "Start the same again when it is back: each step is kept whole or not at all, and none is kept"
     " twice."
@@ -84,9 +85,9 @@ def _refusal(place: str, fault: SQLAlchemyError) -> GradebookError:
             message("Another program writes to the gradebook and does not end."),
             message("Nothing was written; end that program, or try again in a minute."),
         )
-    if state == _FULL or _code(fault) == sqlite3.SQLITE_FULL:
-        full = system_problem(OSError(errno.ENOSPC, ""))
-        return failure(place, full.what, full.remedy)
+    of_the_disk = _of_the_disk(place, fault, state)
+    if of_the_disk is not None:
+        return of_the_disk
     if fault.connection_invalidated or state.startswith(_GONE):
         return failure(
             place,
@@ -108,6 +109,21 @@ def _refusal(place: str, fault: SQLAlchemyError) -> GradebookError:
             ),
         )
     return unusable(place, said)
+
+
+def _of_the_disk(place: str, fault: DBAPIError, state: str) -> GradebookError | None:
+    """Return the error where nothing can be written; None for everything else."""
+    code = (_code(fault) or 0) & _PRIMARY
+    if state == _FULL or code == sqlite3.SQLITE_FULL:
+        full = system_problem(OSError(errno.ENOSPC, ""))
+        return failure(place, full.what, full.remedy)
+    if code == sqlite3.SQLITE_READONLY:
+        return failure(
+            place,
+            message("The gradebook can be read, but not written."),
+            message("Check your rights to the file and its folder, and that its disk is writable."),
+        )
+    return None
 
 
 def _sentence(said: str) -> str:

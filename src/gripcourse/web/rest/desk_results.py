@@ -53,7 +53,8 @@ class MemberResult:
         student, name, group, variant: as they were issued.
         last: when the last file came; null for none.
         late: whether it came after the last day.
-        files, checks, requests: how many.
+        files, checks: how many.
+        requests: for another look that no mark of the item has answered since.
         points: of the last file that was graded, with marks of persons; null for none.
     """
 
