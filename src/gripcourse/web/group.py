@@ -122,24 +122,16 @@ def _members(
     hand_ins = context.desk.hand_ins(only)
     last = latest(context, hand_ins)
     files = Counter(one.student for one in hand_ins)
-<<<<<<< HEAD
     checks = Counter(one.student for one in context.desk.checks(only))
-    requests = Counter(one.student for one in context.desk.requests(only))
     book, names = Gradebook(context.desk.engine), None if only is None else {only}
     attempts = latest_judged(book.standing(names))
     marked = latest_marks_of_all(book.entries(names))
-    return [
-=======
-    checks = Counter(one.student for one in context.desk.checks())
-    book = Gradebook(context.desk.engine)
-    attempts, marked = latest_judged(book.standing()), latest_marks_of_all(book.entries())
     requests = Counter(
         one.student
-        for one in context.desk.requests()
+        for one in context.desk.requests(only)
         if not is_answered(one, marked.get(one.student, {}))
     )
-    rows = (
->>>>>>> term27
+    return [
         GroupMember(
             issued=issued,
             hand_in=last.get(id_),
@@ -150,22 +142,11 @@ def _members(
             attempt=attempts.get(id_),
             marked=marked.get(id_, {}),
         )
-<<<<<<< HEAD
         for id_, issued in group.items()
     ]
-=======
-        for id_, issued in context.register().items()
-    )
-    return tuple(sorted(rows, key=lambda row: by_group_and_name(row.issued.student)))
 
 
 def is_answered(one: RegradeRequest, marked: Mapping[str, GradebookEntry]) -> bool:
     """Tell whether somebody marked an item since a student asked for another look at it."""
     entry = marked.get(one.item)
     return entry is not None and entry.mark.marked_at > one.at
-
-
-def row_of(context: DeskContext, student: str) -> GroupMember | None:
-    """Return one student of the group; None where the register has none of this id."""
-    return next((row for row in rows_of(context) if row.issued.student.id == student), None)
->>>>>>> term27
