@@ -9,9 +9,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from gripcourse.errors import TableError
-from gripcourse.issuing.allotment import Extended, Terms, extend, find_variant
+from gripcourse.issuing.allotment import Extended, Terms, extend
 from gripcourse.issuing.register import Register, changed_entries
 from gripcourse.variants.model import Student, Variant
+from gripcourse.variants.names import find_variant
 
 KEY = bytes(range(32))
 DAY = date(2026, 9, 1)

@@ -11,7 +11,7 @@ from gripcourse.issuing.signature import sign
 from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.words import Message, counted, message
 from gripcourse.variants.model import Issued, Student, Variant
-from gripcourse.variants.names import without_noughts
+from gripcourse.variants.names import find_variant, without_noughts
 
 _NAMED: Final = 10  # variants that a note names
 
@@ -151,18 +151,6 @@ def _allot(
     if problems:
         raise TableError(problems)
     return chosen | {student.id: variant for student, variant in zip(waiting, free, strict=False)}
-
-
-def find_variant(variants: Sequence[Variant], written: str) -> Variant | None:
-    """Find a variant by its name; `7` finds `007` where it is the only one it can mean.
-
-    A spreadsheet that saves the roster cuts zeros off.
-    """
-    exact = [variant for variant in variants if variant.id == written]
-    meant = without_noughts(written)
-    loose = [variant for variant in variants if without_noughts(variant.id) == meant]
-    found = exact or loose
-    return found[0] if len(found) == 1 else None
 
 
 def named_as_issued(

@@ -6,12 +6,13 @@ from functools import reduce
 from typing import TypeAlias
 
 from gripcourse.errors import Problem, UsageError
-from gripcourse.issuing.allotment import Extended, Terms, find_variant, holders_of, named_as_issued
+from gripcourse.issuing.allotment import Extended, Terms, holders_of, named_as_issued
 from gripcourse.issuing.register import Register
 from gripcourse.issuing.signature import sign
 from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.words import Message, Texts, message
 from gripcourse.variants.model import Issued, Variant
+from gripcourse.variants.names import find_variant
 
 TitleOf: TypeAlias = Callable[[Variant, str], Texts | str]
 """What a given quantity of a variant is called, by its id."""

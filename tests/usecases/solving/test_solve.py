@@ -1,5 +1,6 @@
 """Solving by hand: values set, values refused, and what is written out."""
 
+from dataclasses import replace
 from pathlib import Path
 
 import openpyxl
@@ -73,8 +74,11 @@ def test_a_variant_of_a_table_is_solved_with_its_options(course: Course) -> None
     solved = solve_from_table(course, [variant], "007", None)
     assert solved.variant == variant
     assert solved.values["bore"] == 63
-    with pytest.raises(UsageError, match="The table has no variant '07'"):
-        solve_from_table(course, [variant], "07", None)
+    assert solve_from_table(course, [variant], "7", None) == solved
+    other = replace(variant, id="07")
+    for table, name in (([variant], "08"), ([variant, other], "7")):
+        with pytest.raises(UsageError, match=f"The table has no variant '{name}'"):
+            solve_from_table(course, table, name, None)
 
 
 @pytest.mark.parametrize(

@@ -38,6 +38,7 @@ from gripcourse.text.words import Message, Words, message
 from gripcourse.usecases.grading.batch_tables import GRADES_JSON
 from gripcourse.usecases.grading.grade import REPORTS
 from gripcourse.variants.model import Student
+from gripcourse.variants.names import find_variant
 from gripcourse.variants.table import read_table
 
 _REPORT = "report.pdf"
@@ -251,10 +252,11 @@ def moodle_questions(
         GripcourseError: the table cannot be used, or has no such variant.
     """
     variants = read_table(table, course)
-    unknown = set(chosen) - {one.id for one in variants}
+    found = {one: find_variant(variants, one) for one in chosen}
+    unknown = {one for one, variant in found.items() if variant is None}
     if unknown:
         what = message("The table has no variant '{variant}'.", variant=min(unknown))
         raise UsageError([Problem(str(table), "", what, message("Name those that it has."))])
-    wanted = [one for one in variants if not chosen or one.id in chosen]
+    wanted = [one for one in variants if not chosen or one in found.values()]
     write_bytes(out, moodle_xml(wanted, course, load_policy(course), words), private=True)
     return len(wanted)

@@ -18,6 +18,7 @@ from gripcourse.text.units import unit_text
 from gripcourse.text.words import LANGUAGES, Message, Texts, Words, message
 from gripcourse.variants.explain import list_text, why_infeasible, with_unit
 from gripcourse.variants.model import Variant
+from gripcourse.variants.names import find_variant
 
 
 @dataclass(frozen=True, slots=True)
@@ -47,11 +48,12 @@ def solve_from_table(
     Raises:
         UsageError: the table has no such variant.
     """
-    by_id = {variant.id: variant for variant in variants}
-    if identifier not in by_id:
+    table = tuple(variants)
+    variant = find_variant(table, identifier)
+    if variant is None:
         what = message("The table has no variant '{variant}'.", variant=identifier)
-        raise UsageError([Problem("", "", what, did_you_mean(identifier, by_id))])
-    variant = by_id[identifier]
+        remedy = did_you_mean(identifier, [one.id for one in table])
+        raise UsageError([Problem("", "", what, remedy)])
     plan = plan_of(course, variant.composition, convention)
     return _solved(plan, variant, variant.given)
 
