@@ -69,7 +69,7 @@ def test_a_catalogue_in_another_encoding_is_named(draft: "Draft") -> None:
 
 
 def test_a_catalogue_with_a_quotation_mark_that_has_no_end_is_named(draft: "Draft") -> None:
-    text = '# source: nowhere\n# mark: none\n"diameter [mm]\n' + "3\n" * 80_000
+    text = '# source: nowhere\n# mark: none\n"diameter [mm]\n' + "3\n" * 140_000
     problem = draft.put(PIN, text.encode()).problem()
     assert (problem.file, "cannot be told apart" in str(problem.what)) == (PIN, True)
     assert "never closed" in str(problem.remedy)
