@@ -68,6 +68,13 @@ def test_a_catalogue_in_another_encoding_is_named(draft: "Draft") -> None:
     assert "with commas between columns and points in numbers" in str(problem.remedy)
 
 
+def test_a_catalogue_with_a_quotation_mark_that_has_no_end_is_named(draft: "Draft") -> None:
+    text = '# source: nowhere\n# mark: none\n"diameter [mm]\n' + "3\n" * 140_000
+    problem = draft.put(PIN, text.encode()).problem()
+    assert (problem.file, "cannot be told apart" in str(problem.what)) == (PIN, True)
+    assert "never closed" in str(problem.remedy)
+
+
 @pytest.mark.parametrize("rows", ["", "diameter [mm]\n"])
 def test_a_catalogue_without_sizes_is_empty(draft: "Draft", rows: str) -> None:
     text = f"# source: nowhere\n# mark: none\n{rows}"

@@ -42,7 +42,9 @@ def read_catalogue(
     written = _remarks(lines)
     remarks = _served(written, languages)
     problems += [*_sourceless(file, remarks), *_untranslated(file, written, languages)]
-    rows = list(csv.reader(line for line in lines if line.strip() and not line.startswith("#")))
+    rows = _rows(lines, file, problems)
+    if rows is None:
+        return None
     before = len(problems)
     units = _header(file, rows, problems)
     problems += _strays(file, written, units)
@@ -79,6 +81,18 @@ def _lines(path: Path, file: str, problems: list[Problem]) -> list[str] | None:
         problems.append(Problem(file, "", what, _DIVIDE, f"  {heading}"))
         return None
     return lines
+
+
+def _rows(lines: Sequence[str], file: str, problems: list[Problem]) -> list[list[str]] | None:
+    """Read the heading and the rows; None (and a problem) where a quotation mark has no end."""
+    written = (line for line in lines if line.strip() and not line.startswith("#"))
+    try:
+        return list(csv.reader(written))
+    except csv.Error as fault:
+        what = message("The rows cannot be told apart: {fault}.", fault=fault)
+        remedy = message("Look for a quotation mark that is opened and never closed.")
+        problems.append(_problem(file, "", what, remedy))
+        return None
 
 
 def _source(remarks: Mapping[str, str], language: str) -> str:
