@@ -341,8 +341,8 @@ def test_a_drawing_speaks_its_language(draw: "Draw", small_variant: str, turn: i
     language = LANGUAGES[(int(small_variant) + turn) % len(LANGUAGES)]
     drawn = draw(small_variant, language)
     words = Words(language)
-    titles = {row.title for row in drawn.view.rows}
-    assert titles <= set(written(drawn))
+    said = " ".join(written(drawn))  # a long title stands in two lines
+    assert [row.title for row in drawn.view.rows if row.title not in said] == []
     sign = "." if language == "en" else ","
     other = "," if sign == "." else "."
     numbers = [text for text in written(drawn) if re.fullmatch(r"Ø?\d+[.,]\d", text)]

@@ -27,7 +27,8 @@ NARROWEST = 0.5  # what a line may be squeezed to before it is cut
 LEADING = 1.45  # from one line to the next, in heights of capital letters
 _CLEAR = 0.2  # of lines above and below several of them, in these heights
 _WIDE = 0.9  # of their width and more: nobody sees that letters are squeezed
-_WIDE_ENOUGH = 0.7  # of their width, or of their height: 2.5 of 3.5 mm (GOST 2.304)
+_WELL = 0.7  # of their width, or of their height: 2.5 of 3.5 mm (GOST 2.304)
+_WIDE_ENOUGH = 0.6  # of their width: such letters are still read
 _READ_HEIGHT = 1.8  # mm, the smallest letters of GOST 2.304
 _LEAST_HEIGHT = 1.0  # mm: smaller letters cannot be read
 _CUT = "…"
@@ -125,7 +126,7 @@ def set_in(
     """
     settings = [_set(text, height, room, count, between) for count in range(1, most + 1)]
     widths = [one.height * _squeeze(one, room[0]) / height for one in settings]
-    for enough in (_WIDE, _WIDE_ENOUGH, max(widths)):
+    for enough in (_WIDE, _WELL, _WIDE_ENOUGH, max(widths)):
         for one, width in zip(settings, widths, strict=True):
             if width >= enough:
                 return one
