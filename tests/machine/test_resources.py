@@ -3,7 +3,7 @@ from pathlib import Path
 import pytest
 
 from gripcourse.errors import UsageError
-from gripcourse.machine.resources import COURSE_FOLDERS, course_root
+from gripcourse.machine.resources import COURSE_FOLDERS, course_root, engine_template
 
 REPOSITORY = Path(__file__).parents[2]
 
@@ -45,3 +45,15 @@ def test_a_named_folder_that_is_no_course_is_told_what_it_lacks(tmp_path: Path) 
 def test_an_installation_without_its_course_says_so(tmp_path: Path) -> None:
     with pytest.raises(UsageError, match="reference course is not installed"):
         course_root(package=tmp_path / "lib" / "python" / "gripcourse")
+
+
+def test_a_template_of_the_engine_is_found_beside_the_package_and_in_a_wheel(
+    tmp_path: Path,
+) -> None:
+    wheel = tmp_path / "gripcourse"
+    own = wheel / "_course" / "templates" / "style" / "page.css"
+    own.parent.mkdir(parents=True)
+    own.touch()
+    assert engine_template("style/page.css", wheel) == own.resolve()
+    assert engine_template("style/other.css", wheel) is None
+    assert engine_template("student.html.j2") == course_root() / "templates" / "student.html.j2"
