@@ -4,6 +4,7 @@ import re
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from datetime import UTC, datetime, timedelta
+from itertools import count
 from pathlib import Path
 
 import pytest
@@ -111,10 +112,19 @@ def opened(tmp_path_factory: pytest.TempPathFactory, policy: Policy) -> Server:
     return Server(classroom, DeskContext(course, policy, KEY, desk), folder / "graded")
 
 
+@pytest.fixture(scope="session")
+def minutes() -> Iterator[int]:
+    """One minute after the other, as long as there are tests."""
+    return count(1)
+
+
 @pytest.fixture
-def server(opened: Server) -> Iterator[Server]:
-    """The same server on its first day."""
-    opened.clock.now = BEGAN
+def server(opened: Server, minutes: Iterator[int]) -> Iterator[Server]:
+    """The same server on its first day, a minute later for each test.
+
+    Else all would hand in at once, which is more than one student may do.
+    """
+    opened.clock.now = BEGAN + timedelta(minutes=next(minutes))
     yield opened
     opened.clock.now = BEGAN
 
