@@ -55,7 +55,7 @@ def test_every_file_is_in_one_zip_and_its_names_lead_nowhere(
 ) -> None:
     issued, now = server.classroom.register["s03"], server.clock.now
     for number, name in enumerate(NAMES):
-        hand_in(server.context, issued, NamedBytes(name, f"{base} {number}".encode()), now)
+        hand_in(server.context, issued, NamedBytes(name, f"PK {base} {number}".encode()), now)
     kept = server.context.desk.hand_ins()
     answer = instructor.get(f"{base}/hand-ins.zip")
     assert answer.headers["content-type"] == "application/zip"
@@ -66,7 +66,7 @@ def test_every_file_is_in_one_zip_and_its_names_lead_nowhere(
     assert sorted(packed.values()) == sorted(
         kept_path(server.context, one.digest).read_bytes() for one in kept
     )
-    assert packed["s03.xlsx"] == f"{base} 4".encode()
+    assert packed["s03.xlsx"] == f"PK {base} 4".encode()
     for name in packed:
         parts = PurePosixPath(name).parts
         assert len(parts) <= 2

@@ -99,7 +99,7 @@ def test_a_drawing_with_a_long_name_is_never_taken_for_the_workbook(
     server: "Server", name: str
 ) -> None:
     issued = server.classroom.register["s02"]
-    work = hand_in(server.context, issued, NamedBytes("w.xlsx", b"work"), server.clock.now)
+    work = hand_in(server.context, issued, NamedBytes("w.xlsx", b"PK work"), server.clock.now)
     kept = hand_in(server.context, issued, NamedBytes(name, name.encode()), server.clock.now)
     assert kept.hand_in.is_drawing
     assert len(kept.hand_in.name) == 120
