@@ -170,8 +170,6 @@ def test_whoever_publishes_is_told_what_was_not_graded_yet(
 
     page_before = page(-timedelta(hours=9))
     newer = re.search(f"{said}.*marks of persons [0-9]+, workbooks [1-9]", page_before)
-        f"{said}.*marks of persons [0-9]+, workbooks [1-9]", page(-timedelta(hours=9))
-    )
     assert newer is not None
     assert said not in page(timedelta(hours=9))
 
