@@ -148,12 +148,15 @@ def test_a_person_who_decides_learns_whose_the_workbook_was(
 @pytest.mark.parametrize(
     "reference", ["22650.588<", "[1]Sheet1!$E$6<", "OFFSET('2. Привод'!$E$7,-1,0)<", "#REF!<"]
 )
-def test_a_name_that_is_no_cell_of_the_workbook_is_a_missing_answer(
+def test_of_a_name_that_is_no_cell_of_the_workbook_nothing_is_read_but_what_its_row_holds(
     issued: "Classroom", works: Mapping[str, bytes], reference: str
 ) -> None:
+    """Cutting a cell and pasting it over another one leaves such a name to an honest student."""
+    honest = graded(issued, works["s01"])
     report = graded(issued, changed(works["s01"], {NAMES: replacing(PLACE, reference)}))
     (found,) = (one for one in report.findings if one.quantity == ASKED)
-    assert found.outcome is Outcome.BLANK
+    (typed,) = (one for one in honest.findings if one.quantity == ASKED)
+    assert (found.value, report.score) == (typed.value, honest.score)
 
 
 @pytest.mark.parametrize("reference", ["'2. Привод'!$E$7<", "'Задание'!$E$42<"])

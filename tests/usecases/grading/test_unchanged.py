@@ -110,7 +110,7 @@ class Desk:
 
     def add(self, file: str, text: str) -> None:
         path = self.course.root / file
-        path.parent.mkdir(exist_ok=True)
+        path.parent.mkdir(parents=True, exist_ok=True)
         with path.open("a", encoding="utf-8") as stream:
             stream.write(text)
 

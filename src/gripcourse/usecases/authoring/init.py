@@ -213,8 +213,8 @@ def _guide(words: Words) -> str:
         ),
         say(
             message(
-                "A course with all templates, to copy from, is made by `gripcourse init look "
-                "--templates`."
+                "A course can be made with all templates, to copy from: the guide for designers "
+                "says how."
             )
         ),
         say(
