@@ -155,8 +155,8 @@ def test_of_a_name_that_is_no_cell_of_the_workbook_nothing_is_read_but_what_its_
     honest = graded(issued, works["s01"])
     report = graded(issued, changed(works["s01"], {NAMES: replacing(PLACE, reference)}))
     (found,) = (one for one in report.findings if one.quantity == ASKED)
-    (typed,) = (one for one in honest.findings if one.quantity == ASKED)
-    assert (found.value, report.score) == (typed.value, honest.score)
+    (there,) = (one for one in honest.findings if one.quantity == ASKED)
+    assert (found.typed, report.score) == (there.typed, honest.score)
 
 
 @pytest.mark.parametrize("reference", ["'2. Привод'!$E$7<", "'Задание'!$E$42<"])
