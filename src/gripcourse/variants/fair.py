@@ -109,8 +109,9 @@ def near_steps(group: Group, margin: float) -> dict[str, Mask]:
     """Return by decision the variants in which a size lies at the edge of its step.
 
     There the size changes when a computed answer that it is taken for moves by `margin`, a share
-    of itself: a student who rounds honestly could be led to the other size. A size that rests on
-    given numbers and other sizes alone is never at an edge: these are not rounded. Nor is one whose
+    of itself: a student who rounds honestly could be led to the other size. A size that is taken
+    straight for given numbers and other sizes is never at an edge: these are not rounded, but an
+    answer computed from given numbers alone is. Nor is one at an edge whose
     neighbour is no further off than the answer may move to both sides, such as 126 whole turns:
     every answer would be at an edge, and it hardly matters which of the two is taken.
 
