@@ -24,7 +24,7 @@ def audit_tables(audit: VariantAudit, sections: Sequence[str], words: Words) -> 
         "pairs.csv": _pairs(audit, sections),
         "quantities.csv": _quantities(audit),
         "sizes.csv": _sizes(audit),
-        "ends.csv": _ends(audit),
+        "ends.csv": _ends(audit, words),
         "verdicts.csv": _verdicts(audit),
         "slips.csv": _slips(audit),
         "alternatives.csv": _alternatives(audit),
@@ -137,7 +137,7 @@ def _sizes(audit: VariantAudit) -> str:
     ))  # fmt: skip
 
 
-def _ends(audit: VariantAudit) -> str:
+def _ends(audit: VariantAudit, words: Words) -> str:
     header = ("scheme", "quantity", "first", "second", "variants", "first_taken", "same", "because")
     same = set(audit.same_ends)
     return table_text(header, (
@@ -149,7 +149,7 @@ def _ends(audit: VariantAudit) -> str:
             str(one.variants),
             number_cell(one.share),
             _yes(one in same),
-            "" if one.because is None else one.because.of("en"),
+            "" if one.because is None else one.because.of(words.language),
         )
         for one in audit.ends
     ))  # fmt: skip
