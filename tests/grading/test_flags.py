@@ -63,6 +63,24 @@ def test_a_given_value_that_is_gone_is_named(hydraulic: "Case") -> None:
     assert "mass" in found["givens_missing"]
 
 
+def test_answers_that_the_workbook_has_no_cells_for_are_named_some_of_them(
+    hydraulic: "Case",
+) -> None:
+    absent = tuple(one.id for one in hydraulic.plan.answered)
+    found = flags(hydraulic, absent=absent[:1])
+    assert set(found) == {"answers_missing"}
+    assert "1 answer," in found["answers_missing"]
+    assert absent[0] in found["answers_missing"]
+    said = flags(hydraulic, absent=absent)["answers_missing"]
+    assert f"{len(absent)} answers," in said
+    assert absent[-1] not in said
+
+
+def test_in_the_workbook_of_another_student_other_cells_are_no_flag(hydraulic: "Case") -> None:
+    others = identity(hydraulic, student="s02", signature="00" * 32)
+    assert set(flags(hydraulic, identity=others, absent=("mass",))) == {"issued_to_other"}
+
+
 def test_the_last_digits_that_a_spreadsheet_loses_are_no_change(hydraulic: "Case") -> None:
     givens = {name: float(f"{value:.15g}") * (1 + 1e-15) for name, value in hydraulic.given.items()}
     assert flags(hydraulic, givens=givens) == {}

@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     from gripcourse.variants.model import Student
 
 FLAGS = {
+    FlagCode.ANSWERS_MISSING: message("cells missing"),
     FlagCode.COPIED_FROM: message("copied by others"),
     FlagCode.CELLS_MOVED: message("rows moved"),
     FlagCode.GIVENS_CHANGED: message("given values changed"),

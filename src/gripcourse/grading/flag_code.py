@@ -6,6 +6,7 @@ from enum import StrEnum
 class FlagCode(StrEnum):
     """Why a submission is flagged; the value stands in JSON, in tables and in the policy."""
 
+    ANSWERS_MISSING = "answers_missing"  # the workbook has no cells for them
     COPIED_FROM = "copied_from"  # others handed in what is this student's own
     GIVENS_CHANGED = "givens_changed"
     GIVENS_MISSING = "givens_missing"

@@ -11,6 +11,7 @@ from gripcourse.variants.model import Issued
 
 # Stored givens are decimal numbers; a spreadsheet program writes back 15 digits of them.
 _SAME = 1e-12
+_NAMED = 5  # answers that a sentence names
 
 
 def flags_of(
@@ -21,6 +22,7 @@ def flags_of(
         *_identity_flags(submission, issued),
         *_given_flags(submission, issued),
         *_moved_flags(submission),
+        *_absent_flags(submission, issued),
         *not_judged_flags(findings),
     )
 
@@ -35,6 +37,24 @@ def _moved_flags(submission: Submission) -> Iterator[Flag]:
             len(submission.moved),
         )
         yield Flag(FlagCode.CELLS_MOVED, said)
+
+
+def _absent_flags(submission: Submission, issued: Issued) -> Iterator[Flag]:
+    """In somebody else's workbook it is no wonder that cells are absent."""
+    if submission.absent and submission.identity.student in {"", issued.student.id}:
+        named = ", ".join(submission.absent[:_NAMED])
+        said = counted(
+            "The workbook has no cell for {count} answer, which counts as blank: {names}. Either it"
+            " was deleted, or the course asks for it only since the workbook was issued. Then issue"
+            " the assignment anew: works on the earlier version are judged by what it asked for.",
+            "The workbook has no cells for {count} answers, which count as blank: {names}. Either"
+            " they were deleted, or the course asks for them only since the workbook was issued."
+            " Then issue the assignment anew: works on the earlier version are judged by what it"
+            " asked for.",
+            len(submission.absent),
+            names=named + (", …" if len(submission.absent) > _NAMED else ""),
+        )
+        yield Flag(FlagCode.ANSWERS_MISSING, said)
 
 
 def _identity_flags(submission: Submission, issued: Issued) -> Iterator[Flag]:

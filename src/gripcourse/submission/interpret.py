@@ -27,7 +27,8 @@ def interpret(raw: RawWorkbook, quantities: Iterable[Quantity]) -> Submission:
     asked = tuple(quantities)
     answered = tuple(quantity for quantity in asked if quantity.kind.answered)
     found = by_label(raw, answered)
-    nowhere = [raw.nowhere.get(one.id) for one in answered if one.id not in found.answers]
+    absent = tuple(one.id for one in answered if one.id not in found.answers)
+    nowhere = [raw.nowhere.get(name) for name in absent]
     return Submission(
         file=raw.file,
         digest=raw.digest,
@@ -40,6 +41,7 @@ def interpret(raw: RawWorkbook, quantities: Iterable[Quantity]) -> Submission:
         },
         remarks=(*raw.remarks, *about_missing_sheets([one for one in nowhere if one])),
         moved=found.moved,
+        absent=absent,
     )
 
 

@@ -85,6 +85,7 @@ class Submission:
         answers: by quantity id; one for each answered quantity, also for missing cells.
         remarks: about the workbook as a whole.
         moved: ids of the answers that were found by their titles, in other cells than were issued.
+        absent: ids of the answers that the workbook has no cell for.
     """
 
     file: str
@@ -95,6 +96,7 @@ class Submission:
     answers: Mapping[str, Answer]
     remarks: tuple[Message, ...]
     moved: tuple[str, ...] = ()
+    absent: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
