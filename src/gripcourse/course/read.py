@@ -24,7 +24,7 @@ from gripcourse.course.toml_table import Table, read_toml
 from gripcourse.course.view import View
 from gripcourse.course.view_keys import SHARED_VIEW
 from gripcourse.course.view_read import read_shared
-from gripcourse.errors import Problem
+from gripcourse.errors import CourseError, Problem
 from gripcourse.machine.enclosed import strange_files
 from gripcourse.machine.resources import COURSE_FOLDERS, VARIANTS
 from gripcourse.text.suggestion import did_you_mean
@@ -72,6 +72,20 @@ def read_course(root: Path) -> tuple[Course | None, list[Problem]]:
     )
     is_whole = errata is not None and _is_whole(course, folder)
     return with_implied_series(course) if is_whole else None, problems
+
+
+def course_id(root: Path) -> str:
+    """Return the id of a course, whatever else of it is wrong.
+
+    Raises:
+        CourseError: its main file cannot be read, or has no id.
+    """
+    problems: list[Problem] = []
+    table = read_toml(root / VARIANTS / "course.toml", root, problems, COURSE)
+    found = "" if table is None else table.text("id")
+    if problems:
+        raise CourseError(problems)
+    return found
 
 
 def _is_whole(course: Course, folder: Path) -> bool:

@@ -16,7 +16,13 @@ import pytest
 
 from gripcourse.access.desk.store import open_desk
 from gripcourse.cli.demo.students import correct
-from gripcourse.errors import GradebookError, GripcourseError, RegisterError, UsageError
+from gripcourse.errors import (
+    CourseError,
+    GradebookError,
+    GripcourseError,
+    RegisterError,
+    UsageError,
+)
 from gripcourse.gradebook.checks import CheckLedger, take_one
 from gripcourse.gradebook.store import open_gradebook
 from gripcourse.issuing.store import read_register
@@ -120,6 +126,28 @@ class TestTheWholeTerm:
         assert take_one(CheckLedger(root / "private" / "checks.sqlite", "s01"), 3) == 1
         for one in (root / "private").rglob("*"):
             assert stat.S_IMODE(one.stat().st_mode) & 0o077 == 0
+
+    def test_it_is_made_while_somebody_is_amid_a_change_of_the_course(
+        self, term: Term, tmp_path: Path
+    ) -> None:
+        root = tmp_path / "course"
+        shutil.copytree(term.root, root)
+        policy, catalogue = root / "grader" / "policy.toml", next(root.rglob("catalogues/*.csv"))
+        policy.write_text("[half a li", encoding="utf-8")
+        catalogue.unlink()
+        back_up(root, tmp_path / "amid.zip", NOW)
+        restore(tmp_path / "amid.zip", tmp_path / "restored")
+        assert (tmp_path / "restored" / "grader" / "policy.toml").read_text() == "[half a li"
+        assert not (tmp_path / "restored" / catalogue.relative_to(root)).exists()
+
+    def test_a_course_without_an_id_is_refused(self, term: Term, tmp_path: Path) -> None:
+        root = tmp_path / "course"
+        shutil.copytree(term.root, root)
+        main = root / "variants" / "course.toml"
+        main.write_text("[half a li", encoding="utf-8")
+        with pytest.raises(CourseError, match=r"course\.toml"):
+            back_up(root, tmp_path / "amid.zip", NOW)
+        assert not (tmp_path / "amid.zip").exists()
 
     def test_nobody_is_signed_in_by_it(self, term: Term) -> None:
         assert not {"tables/desk_sign_in.jsonl", "tables/desk_session.jsonl"} & set(term.members)

@@ -17,7 +17,7 @@ from datetime import datetime
 from pathlib import Path, PurePosixPath
 from typing import Final
 
-from gripcourse.course.load import load_course
+from gripcourse.course.read import course_id
 from gripcourse.errors import Problem, UsageError
 from gripcourse.issuing.signature import key_path, read_keys
 from gripcourse.issuing.store import read_register
@@ -81,27 +81,29 @@ def back_up(root: Path, out: Path, now: datetime) -> BackedUp:
 
     Raises:
         UsageError: there is such a file already, or the course has a file that leads elsewhere.
-        GripcourseError: the course, its key, its register or its database cannot be used.
+        GripcourseError: the course's main file, its key, its register or its database cannot be
+            used.
         OSError: a file cannot be read or written.
     """
     if out.exists():
         what, remedy = message("This exists already."), message("Name another place.")
         raise UsageError([Problem(str(out), "", what, remedy)])
     expect_file(out)
-    course = load_course(root)
     strange = strange_files(root, (*COURSE_FOLDERS, PRIVATE))
     if strange:
         raise UsageError(strange)
+    # A term is kept also while somebody is amid a change that the course does not bear.
+    course = course_id(root)
     # What cannot be restored is no backup: every signature is verified.
     read_keys(key_path(root))
-    read_register(root, course.id)
+    read_register(root, course)
     with making(out) as temporary:
         make_private(temporary)
         with zipfile.ZipFile(temporary, "w", zipfile.ZIP_DEFLATED) as archive:
             members = {**_add_tables(archive, root), **_add_files(archive, root)}
             manifest = {
                 "format": FORMAT,
-                "course": course.id,
+                "course": course,
                 "made_at": now.isoformat(),
                 "revision": NEWEST,
                 "members": {name: asdict(one) for name, one in sorted(members.items())},
@@ -110,7 +112,7 @@ def back_up(root: Path, out: Path, now: datetime) -> BackedUp:
             _add(archive, MANIFEST, [text.encode() + b"\n"])
         with temporary.open("rb") as written:
             digest = hashlib.file_digest(written, "sha256").hexdigest()
-    return BackedUp(course.id, len(members), digest)
+    return BackedUp(course, len(members), digest)
 
 
 def _add_tables(archive: zipfile.ZipFile, root: Path) -> dict[str, PackedPart]:
