@@ -7,6 +7,7 @@ everywhere.
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 from datetime import UTC
+from itertools import chain
 from types import MappingProxyType
 from typing import Final
 
@@ -53,10 +54,9 @@ def grades_text(
         called: the scales; a grade that points which wait for a person decide is left empty.
     """
     timed = any(report.timing is not None for report in reports)
-    parts = [
-        _parts(report, students.get(report.student), called, timed=timed) for report in reports
-    ]
-    sections = tuple(dict.fromkeys(section for one in parts for section in one.points))
+    sections = tuple(
+        dict.fromkeys(section for one in reports for section in derived(one.findings, FOUND).points)
+    )
     header = (
         *("student", "name", "group", "email", "variant"),
         *("score", "max_score", "percent", "open_points"),
@@ -65,16 +65,18 @@ def grades_text(
         *sections,
         *("slips", "flags", "file"),
     )
-    rows = [
-        (*one.before, *(one.points.get(name, "") for name in sections), *one.after) for one in parts
-    ]
+    # Cells of one row at a time: those of all take ten times the room of the table.
+    rows = (
+        _row(report, students.get(report.student), called, sections, timed=timed)
+        for report in reports
+    )
     handed_in = {report.student for report in reports}
-    rows += (
+    lacking = (
         _missing_row(student, len(header))
         for id_, student in students.items()
         if id_ not in handed_in
     )
-    return table_text(header, rows)
+    return table_text(header, chain(rows, lacking))
 
 
 def _missing_row(student: Student, width: int) -> tuple[str, ...]:
@@ -82,16 +84,14 @@ def _missing_row(student: Student, width: int) -> tuple[str, ...]:
     return (*known, *("",) * (width - len(known) - 2), NOT_HANDED_IN, "")
 
 
-@dataclass(frozen=True, slots=True)
-class _Parts:
-    """The cells of a row: those before the points of sections, these by section, those after."""
-
-    before: tuple[str, ...]
-    points: Mapping[str, str]
-    after: tuple[str, ...]
-
-
-def _parts(report: Report, student: Student | None, called: Called, *, timed: bool) -> _Parts:
+def _row(
+    report: Report,
+    student: Student | None,
+    called: Called,
+    sections: Sequence[str],
+    *,
+    timed: bool,
+) -> tuple[str, ...]:
     flags = "; ".join(dict.fromkeys(flag.code for flag in report.flags))
     before = (
         *map(
@@ -109,9 +109,9 @@ def _parts(report: Report, student: Student | None, called: Called, *, timed: bo
         *(_timing(report) if timed else ()),
     )
     found = derived(report.findings, FOUND)
-    points = found.points if report.judged else dict.fromkeys(found.points, "")
+    points: Mapping[str, str] = found.points if report.judged else {}
     after = ("" if is_anothers(report) else found.slips, flags, report.file)
-    return _Parts(before, points, tuple(map(text_cell, after)))
+    return (*before, *(points.get(name, "") for name in sections), *map(text_cell, after))
 
 
 def _points(report: Report) -> tuple[str, str, str, str]:

@@ -56,10 +56,11 @@ def find_evidence(
     """
     known = set(issued.owners)
     named: list[ComparedWork] = []
+    nothing = none_typed()
 
     def usable() -> Iterator[ComparedWork]:
         for work in works:
-            named.append(replace(work, numbers=none_typed()))
+            named.append(replace(work, numbers=nothing))
             if work.student in known:
                 yield work
 

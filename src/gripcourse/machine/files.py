@@ -54,12 +54,12 @@ def write_text(path: Path, text: str, *, private: bool = False) -> None:
     write_bytes(path, text.encode(), private=private)
 
 
-def write_together(texts: Mapping[Path, Iterable[str]]) -> None:
+def write_together(texts: Mapping[Path, Iterable[str | bytes]]) -> None:
     """Write files as UTF-8 that belong together; none takes its place before all are whole.
 
     Args:
-        texts: by file, the pieces of its text, asked for one after the other; only its owner may
-            read it.
+        texts: by file, the pieces of its text, or what these are as UTF-8, asked for one after the
+            other; only its owner may read it.
 
     Raises:
         OSError: one of them cannot be written; what was there before is untouched.
@@ -68,8 +68,10 @@ def write_together(texts: Mapping[Path, Iterable[str]]) -> None:
         for path, pieces in texts.items():
             temporary = stack.enter_context(replacing(path))
             make_private(temporary)
-            with temporary.open("w", encoding="utf-8", newline="") as stream:
-                stream.writelines(pieces)
+            with temporary.open("wb") as stream:
+                stream.writelines(
+                    piece if isinstance(piece, bytes) else piece.encode() for piece in pieces
+                )
                 stream.flush()
                 os.fsync(stream.fileno())
 

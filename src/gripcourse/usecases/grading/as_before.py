@@ -84,8 +84,12 @@ class Beginning:
         try:
             kept = json.loads(_said_path(self.asked.out).read_text(encoding="utf-8"))
             said = SaidAtEnd(**kept["said"])
-            same_results = kept["results"] == _results(self.asked.out)
-            same = same_results and kept["key"] == self._key(_digests(self.asked), self.states)
+            # What takes longest to read comes last: mostly something else differs already.
+            same = (
+                kept["key"] == self._key(self.states)
+                and kept["files"] == digest_of_texts(_digests(self.asked))
+                and kept["results"] == _results(self.asked.out)
+            )
         except (OSError, ValueError, TypeError, KeyError):  # none yet, or damaged
             return None
         return said if same else None
@@ -102,7 +106,8 @@ class Beginning:
         if [one.others for one in states] != [one.whole for one in self.states]:
             return
         kept = {
-            "key": self._key(digests, states),
+            "key": self._key(states),
+            "files": digest_of_texts(digests),
             "results": _results(self.asked.out),
             "said": asdict(said),
         }
@@ -110,10 +115,8 @@ class Beginning:
         with suppress(OSError):
             write_text(_said_path(self.asked.out), json.dumps(kept), private=True)
 
-    def _key(self, digests: Iterable[str], states: Iterable[DatabaseState]) -> str:
-        return digest_of_texts(
-            [self.versions, self.around, *digests, *(one.whole for one in states)]
-        )
+    def _key(self, states: Iterable[DatabaseState]) -> str:
+        return digest_of_texts([self.versions, self.around, *(one.whole for one in states)])
 
 
 def beginning(asked: GradingAsked) -> Beginning:
@@ -145,8 +148,8 @@ def _named_with_time(file: Readable) -> str:
     return repr((shown_name(file), time))
 
 
-def _digests(asked: GradingAsked) -> list[str]:
-    return [digest_of_content(one) for one in asked.found.files]
+def _digests(asked: GradingAsked) -> Iterable[str]:
+    return map(digest_of_content, asked.found.files)
 
 
 def _results(out: Path) -> str:

@@ -1,7 +1,10 @@
 """The tables of a whole batch: grades and all files that were found, as CSV and JSON."""
 
 import json
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from functools import partial
+from itertools import repeat
 from pathlib import Path
 
 from gripcourse.batch.one_file import GradingContext
@@ -10,11 +13,13 @@ from gripcourse.exports.grades import Called, grades_text
 from gripcourse.exports.make_report_result import around_reports, grades_result
 from gripcourse.exports.report_json import report_json
 from gripcourse.exports.report_result import GradesResult
+from gripcourse.grading.folded import digest_of_report
 from gripcourse.grading.model import Report
 from gripcourse.machine.files import write_together
 from gripcourse.policy.scales import Scale
 from gripcourse.text.words import Words
 from gripcourse.usecases.grading.collect import REASONS, PassedOver
+from gripcourse.usecases.grading.lines_before import Line, LinesBefore, Piece, all_made
 from gripcourse.usecases.grading.unchanged import PrintedBefore, told_of
 from gripcourse.variants.model import Student
 
@@ -33,14 +38,31 @@ def renew_tables(
 ) -> None:
     """Write the tables of a batch, unless an earlier run wrote them from the very same."""
     tables = [out / name for name in (GRADES_CSV, FILES_CSV, GRADES_JSON)]
-    students = [issued.student for issued in context.register.values()]
-    made_from = told_of(*reports, repr(students), repr(passed_over)) if printed else ""
-    if printed and all(printed.stands(one, made_from) for one in tables):
+    if printed is None:
+        write_tables(reports, context, out, passed_over)
         return
-    write_tables(reports, context, out, passed_over)
-    if printed:
-        for one in tables:
-            printed.note(one, made_from)
+    students = [issued.student for issued in context.register.values()]
+    digests = [digest_of_report(one) for one in reports]
+    made_from = told_of(*digests, repr(students), repr(passed_over))
+    if all(printed.stands(one, made_from) for one in tables):
+        return
+    lines = printed.lines_of(out / GRADES_JSON)
+    write_tables(reports, context, out, passed_over, TakenLines(lines, digests))
+    for one in tables:
+        printed.note(one, made_from)
+
+
+@dataclass(frozen=True, slots=True)
+class TakenLines:
+    """What need not be put into words again.
+
+    Attributes:
+        before: lines of the table of before.
+        digests: of the reports, in their order.
+    """
+
+    before: LinesBefore
+    digests: Sequence[str]
 
 
 def write_tables(
@@ -48,10 +70,18 @@ def write_tables(
     context: GradingContext,
     out: Path,
     passed_over: Sequence[PassedOver] = (),
+    taken: TakenLines | None = None,
 ) -> None:
     """Write what concerns the whole batch: grades and all files, as CSV and JSON.
 
     All of them or none: on a full disk none is newer than the others.
+
+    Args:
+        reports: of the batch.
+        context: the course, its policy and the register.
+        out: folder to write to.
+        passed_over: files that were found and not looked at.
+        taken: what an earlier run wrote; None for nothing.
 
     Raises:
         OSError: one of them cannot be written; those of an earlier run are untouched.
@@ -64,12 +94,15 @@ def write_tables(
         yield from map(graded_account, reports)
         yield from map(passed_over_account, passed_over)
 
+    digests = repeat("") if taken is None else taken.digests
+    pieces = _json_pieces(reports, digests, called, passed_over, missing(reports, context))
+    of_before = out / GRADES_JSON
     write_together(
         {
             out / GRADES_CSV: _for_excel(lambda: grades_text(reports, students, called)),
             out / FILES_CSV: _for_excel(lambda: files_text(accounts(), words)),
-            out / GRADES_JSON: _json_pieces(
-                reports, called, passed_over, missing(reports, context)
+            of_before: (
+                all_made(pieces) if taken is None else taken.before.taken_over(of_before, pieces)
             ),
         }
     )
@@ -97,24 +130,26 @@ def json_text(
     missing: Sequence[Student] = (),
 ) -> str:
     """Return the reports as JSON, each in a line; see `exports.report_result.GradesResult`."""
-    return "".join(_json_pieces(reports, Called(tuple(scales), words), passed_over, missing))
+    called = Called(tuple(scales), words)
+    return "".join(all_made(_json_pieces(reports, repeat(""), called, passed_over, missing)))
 
 
 def _json_pieces(
     reports: Sequence[Report],
+    digests: Iterable[str],
     called: Called,
     passed_over: Sequence[PassedOver],
     missing: Sequence[Student],
-) -> Iterator[str]:
+) -> Iterator[Piece]:
     words, scales = called.words, called.scales
     others = tuple(map(passed_over_account, passed_over))
     plain = around_reports(reports, words, (), others, missing).to_dict()
     around = json.dumps(plain, ensure_ascii=False, indent=1, allow_nan=False)
     before, after = around.split(_NO_REPORTS, 1)
     yield before + _NO_REPORTS.removesuffix("]")
-    for number, report in enumerate(reports):
+    for number, (report, digest) in enumerate(zip(reports, digests, strict=False)):
         yield ",\n" if number else "\n"
-        yield report_json(report, words, scales)
+        yield Line(digest, partial(report_json, report, words, scales))
     yield ("\n ]" if reports else "]") + after
 
 

@@ -18,6 +18,7 @@ from gripcourse.grading.folded import digest_of_report
 from gripcourse.grading.model import Report
 from gripcourse.machine.files import make_private_folder, write_text
 from gripcourse.machine.office import office_identity
+from gripcourse.usecases.grading.lines_before import LinesBefore
 from gripcourse.usecases.grading.versions import EARLIER, digest_of_texts, versions_of
 
 _PRINTED: Final = "printed"
@@ -46,8 +47,9 @@ class PrintedBefore:
     def stands(self, path: Path, made_from: str) -> bool:
         """Tell whether a document is there, untouched, and was made from just this."""
         try:
-            noted = self._note(path).read_text(encoding="utf-8")
-            return noted == self._noted(made_from, path)
+            before, _, content = self._note(path).read_text(encoding="utf-8").partition("\n")
+            # The file is long: it is read where nothing else speaks against it.
+            return before == self._before(made_from) and content == _content_of(path)
         except (OSError, UnicodeDecodeError):
             return False
 
@@ -57,16 +59,24 @@ class PrintedBefore:
         Raises:
             OSError: the document cannot be read, or the note cannot be written.
         """
-        write_text(self._note(path), self._noted(made_from, path), private=True)
+        noted = f"{self._before(made_from)}\n{_content_of(path)}"
+        write_text(self._note(path), noted, private=True)
+
+    def lines_of(self, path: Path) -> LinesBefore:
+        """Return the lines of a table that an earlier run wrote."""
+        return LinesBefore(self.folder / f"{path.name}.lines", self.made_with)
 
     def _note(self, path: Path) -> Path:
         return self.folder / f"{path.name}.sha256"
 
-    def _noted(self, made_from: str, path: Path) -> str:
-        # The table of a large batch takes more room than all of its reports: piece by piece.
-        with path.open("rb") as stream:
-            content = hashlib.file_digest(stream, "sha256").hexdigest()
-        return digest_of_texts([self.made_with, made_from, content])
+    def _before(self, made_from: str) -> str:
+        return digest_of_texts([self.made_with, made_from])
+
+
+def _content_of(path: Path) -> str:
+    # The table of a large batch takes more room than all of its reports: piece by piece.
+    with path.open("rb") as stream:
+        return hashlib.file_digest(stream, "sha256").hexdigest()
 
 
 @dataclass(frozen=True, slots=True)
