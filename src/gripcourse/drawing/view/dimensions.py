@@ -165,7 +165,8 @@ def _interrupt(dimension: "Dimension", clear: Sequence[Box]) -> None:
             attributes = drawn.dxfattribs(drop={"handle", "owner", "start", "end"})
             block.delete_entity(drawn)
             for piece in pieces:
-                block.add_line(*points_of(piece), dxfattribs=attributes)
+                first, last = points_of(piece)
+                block.add_line(first, last, dxfattribs=attributes)
 
 
 def _draw_shelf(layout: "Modelspace", one: Placed, by: Point) -> None:
