@@ -61,6 +61,31 @@ def test_a_power_of_a_symbol_stands_above_its_subscript(templates: Path) -> None
     assert "<sub>d</sub></span>²·A" in page
 
 
+@pytest.mark.parametrize("look", ["prose", "below"])
+@pytest.mark.parametrize(
+    ("title", "shown"),
+    [
+        ("Nu = 0.023·Re^(0,8)", "Nu = 0.023·Re<sup>0,8</sup>"),
+        ("v^−0.09 below 10^4", "v<sup>−0.09</sup> below 10<sup>4</sup>"),
+        ("e^(f·α) < 2", "e<sup>f·α</sup> &lt; 2"),
+        ("a caret ^ alone", "a caret ^ alone"),
+    ],
+)
+def test_a_power_in_a_sentence_is_raised(
+    templates: Path, title: str, shown: str, look: str
+) -> None:
+    (templates / "title.html.j2").write_text("{{ title | " + look + " }}", encoding="utf-8")
+    page = render_html(Document("title.html.j2", (), {"title": title}), templates, Words("en"))
+    assert page == shown
+
+
+def test_no_line_ends_between_a_number_and_its_unit(templates: Path) -> None:
+    (templates / "title.html.j2").write_text("{{ title | prose }}", encoding="utf-8")
+    title = "off by 4 % at 5 мм, 20 kN·m and 3 ways"
+    page = render_html(Document("title.html.j2", (), {"title": title}), templates, Words("en"))
+    assert page == "off by 4\u00a0% at 5\u00a0мм, 20\u00a0kN·m and 3 ways"
+
+
 def test_the_same_content_gives_the_same_bytes(templates: Path, document: Document) -> None:
     first = render_pdf(document, templates, Words("en"))
     assert first == render_pdf(document, templates, Words("en"))

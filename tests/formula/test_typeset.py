@@ -11,7 +11,14 @@ from gripcourse.formula.evaluate import evaluate
 from gripcourse.formula.markup import text
 from gripcourse.formula.parse import parse
 from gripcourse.formula.tree import Call, Formula, Name, Negation, Node, Number, Operation
-from gripcourse.formula.typeset import Box, equation, number_box, symbol_box, typeset
+from gripcourse.formula.typeset import (
+    Box,
+    declared_symbol,
+    equation,
+    number_box,
+    symbol_box,
+    typeset,
+)
 from gripcourse.text.number_text import format_number
 from gripcourse.text.units import factor, unit_text
 
@@ -242,3 +249,12 @@ def test_a_printed_formula_reads_back_as_the_same_formula(
         evaluate(Formula("", tree, {}), "", values, {}),
         err_msg=printed,
     )
+
+
+def test_a_bar_behind_a_symbol_is_no_part_of_its_subscript() -> None:
+    subscripts = [
+        text(box.sub)
+        for box in boxes(declared_symbol("|u − u_0| ≤ 0,04·u_0"))
+        if isinstance(box, Script) and box.sub is not None
+    ]
+    assert subscripts == ["0", "0"]

@@ -90,11 +90,6 @@ def _reference_faults(
 ) -> Iterator[Problem]:
     named = [(view.file, "characteristics", name) for name in view.characteristics]
     named += [(part.file, f"{part.key}.sizes", name) for part in view.parts for name in part.sizes]
-    named += [
-        (one.file, f"{one.key}.density_per", one.density_per)
-        for one in view.parts
-        if one.density_per
-    ]
     named += [(one.file, f"{one.key}.quantity", one.quantity) for one in view.dimensions]
     shown = [*quantities, *view.measures]
     for label in view.labels:
@@ -144,6 +139,8 @@ def _places(view: View) -> Iterator[Place]:
             yield measure.file, measure.key, formula, measure.unit
     for id_, formulas in view.strength.items():
         yield from _lengths(view.file, f"strength.{id_}", formulas, _STRESS)
+    for id_, formulas in view.elastic_modulus.items():
+        yield from _lengths(view.file, f"elastic_modulus.{id_}", formulas, _STRESS)
     for part in view.parts:
         yield from _part_places(part)
     for one in view.dimensions:
@@ -210,9 +207,10 @@ def _lengths(
 
 def _grade_faults(view: View) -> Iterator[Problem]:
     own = {part.id for part in view.parts}
-    for name in view.strength.keys() - own:
-        what = message("The view has no part '{name}'.", name=name)
-        yield Problem(view.file, f"strength.{name}", what, did_you_mean(name, own))
+    for key, asked in (("strength", view.strength), ("elastic_modulus", view.elastic_modulus)):
+        for name in asked.keys() - own:
+            what = message("The view has no part '{name}'.", name=name)
+            yield Problem(view.file, f"{key}.{name}", what, did_you_mean(name, own))
     if view.strength and not view.grades:
         what = message("The view has no material whose strength is known.")
         remedy = message("Declare materials as [[grade]], or take a shared file that does.")

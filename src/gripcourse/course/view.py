@@ -121,11 +121,13 @@ class Grade:
 
     Attributes:
         yield_stress: MPa.
+        elastic_modulus: MPa; 0 where none is told.
         density: kg/m³.
         material: as the parts list names it.
     """
 
     yield_stress: float
+    elastic_modulus: float
     density: float
     material: Texts
 
@@ -150,7 +152,6 @@ class ViewPart:
         positions: of the kinematics, in which it is there; empty for all.
         depth: of those of its shapes that declare none; empty for all of the view.
         density: kg/m³ of what its outline holds; 0 for that of the view.
-        density_per: quantity, for each SI unit of which it has that density; empty for none.
         piece_of: the part that it is one piece with; empty for a piece of its own.
         placed_at: the position whose coordinates place it in all of them; empty for each its own.
         shapes: in the order in which they cover each other. Of parts, the later covers the
@@ -173,7 +174,6 @@ class ViewPart:
     placed_at: str
     depth: tuple[Expression, ...]
     density: float
-    density_per: str
     piece_of: str
     shapes: tuple[ViewShape, ...]
     file: str
@@ -254,6 +254,8 @@ class View:
         grades: materials by their strength, the weakest first.
         strength: yield stresses that a part needs, by its id, of which the greatest that a variant
             has counts; the part is of the first grade that has it.
+        elastic_modulus: that a part was calculated with, by its id: it chooses among the grades
+            before their strength does.
         around: how many of what is mirrored stand round the axis; None for two.
         file: of the scheme's own declarations.
     """
@@ -273,5 +275,6 @@ class View:
     material: Texts | None
     grades: tuple[Grade, ...]
     strength: Mapping[str, tuple[Formula, ...]]
+    elastic_modulus: Mapping[str, tuple[Formula, ...]]
     around: Formula | None
     file: str

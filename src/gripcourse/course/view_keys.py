@@ -80,9 +80,6 @@ _PART: Final = Shape(
         "body": flag("Whether its figures are solid: absent is true for those with an inside."),
         "depth": _DEPTH,
         "density": number("kg/m³ of what its outline holds; absent: that of the view."),
-        "density_per": text(
-            "Quantity, for each SI unit of which it has that density; absent: none."
-        ),
         "piece_of": text("The part that it is one piece with; absent: a piece of its own."),
         "positions": strings("Positions of the kinematics in which it is there; absent: all."),
         "placed_at": text("The position whose coordinates place it in all of them."),
@@ -118,6 +115,7 @@ _DETAIL: Final = Shape(
 _GRADE: Final = Shape(
     {
         "yield": number("Yield stress, MPa.", required=True),
+        "elastic_modulus": number("Elastic modulus, MPa; for parts that name theirs."),
         "density": number("kg/m³.", required=True),
         "material": texts("In the parts list.", required=True),
     }
@@ -149,6 +147,11 @@ VIEW: Final = Shape(
         "strength": by_name(
             "Yield stresses that a part needs, by its id: the greatest that a variant has chooses"
             " its material among the grades.",
+            _MEASURE,
+        ),
+        "elastic_modulus": by_name(
+            "Elastic modulus that a part was calculated with, by its id: only the grades nearest"
+            " to it are chosen from.",
             _MEASURE,
         ),
         "around": text("Formula: how many of what is mirrored stand round the axis; absent: two."),

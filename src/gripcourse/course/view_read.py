@@ -56,6 +56,7 @@ def read_view(table: Table, shared: Mapping[str, View | None]) -> View | None:
             sorted((one for view in views for one in view.grades), key=lambda one: one.yield_stress)
         ),
         strength=_by_name(table, "strength"),
+        elastic_modulus=_by_name(table, "elastic_modulus"),
         around=_formula(table, "around", table.text("around")) if table.has("around") else None,
         file=table.file,
     )
@@ -95,6 +96,7 @@ def _read(table: Table) -> View:
         material=None,
         grades=tuple(_grade(one) for one in table.tables("grade")),
         strength={},
+        elastic_modulus={},
         around=None,
         file=table.file,
     )
@@ -142,7 +144,6 @@ def _part(table: Table) -> ViewPart:
         placed_at=table.text("placed_at", ""),
         depth=_depth(table),
         density=table.number("density", 0.0),
-        density_per=table.text("density_per", ""),
         piece_of=table.text("piece_of", ""),
         shapes=shapes,
         file=table.file,
@@ -245,7 +246,12 @@ def _detail(table: Table) -> ViewDetail:
 
 def _grade(table: Table) -> Grade:
     table.known_keys()
-    return Grade(table.number("yield"), table.number("density"), table.texts("material"))
+    return Grade(
+        yield_stress=table.number("yield"),
+        elastic_modulus=table.number("elastic_modulus", 0.0),
+        density=table.number("density"),
+        material=table.texts("material"),
+    )
 
 
 def _requirement(table: Table) -> Texts:

@@ -12,7 +12,7 @@ sheets. It offers to every template
     value | percent          a share of one as a percentage
     value | day              a date written out
     text | symbol            a declared symbol as a formula writes it
-    text | prose             a title or a sentence; a symbol in it looks as in a formula
+    text | prose             a title or a sentence; symbols and powers in it look as in a formula
     text | below             the same for a browser, in the letters round it: `d_1` with a low 1
     box | formula            a formula
     box | mathml             a formula for a browser; mathml(large=True) on a line of its own
@@ -31,14 +31,14 @@ from functools import lru_cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from gripcourse.documents.prose import below, prose, seen
 from gripcourse.documents.template_faults import is_of_a_template, template_problem
 from gripcourse.documents.two_columns import groups, two_columns
 from gripcourse.errors import CourseError, NextStep, Problem, UsageError
 from gripcourse.formula.boxes import Box
 from gripcourse.formula.markup import html, text
 from gripcourse.formula.mathml import mathml, reads_aloud
-from gripcourse.formula.prose import SYMBOL, subscript_runs
-from gripcourse.formula.typeset import declared_symbol, symbol_box
+from gripcourse.formula.typeset import declared_symbol
 from gripcourse.machine.fonts import FONT_PACKAGES, fonts_used
 from gripcourse.machine.process_wide import few_collections, libraries_by_full_name
 from gripcourse.machine.resources import template_file, template_folders
@@ -49,7 +49,6 @@ from gripcourse.text.amounts import (
     points_text,
     points_up_to,
 )
-from gripcourse.text.shown import shown
 from gripcourse.text.words import LANGUAGES, Words, message
 
 # Jinja2, Babel and WeasyPrint cost 40, 60 and 450 ms to import: only who makes a document pays.
@@ -174,24 +173,6 @@ def _markup(box: Box) -> "Markup":
     return Markup(html(box))  # noqa: S704 - see above
 
 
-def _prose(title: object) -> "Markup":
-    """Return a title as HTML; a symbol in it, `v_1`, looks as it does in a formula."""
-    from markupsafe import Markup, escape
-
-    written = str(escape(_seen(title)))
-    return Markup(SYMBOL.sub(lambda found: html(symbol_box(found[0])), written))  # noqa: S704 - escaped
-
-
-def _below(title: object) -> "Markup":
-    """Return a title as HTML with the subscripts of its symbols; their letters stay as they are."""
-    from markupsafe import Markup, escape
-
-    return Markup("").join(
-        Markup("<sub>{}</sub>").format(run) if below else escape(run)
-        for run, below in subscript_runs(str(_seen(title)))
-    )
-
-
 def _mathml(box: Box, *, large: bool = False) -> "Markup":
     """Return the MathML of a formula; its text was escaped when it was made."""
     from markupsafe import Markup
@@ -199,13 +180,8 @@ def _mathml(box: Box, *, large: bool = False) -> "Markup":
     return Markup(mathml(box, large=large))  # noqa: S704 - see above
 
 
-def _seen(value: object) -> object:
-    """Keep what no page can show out of it; what was made of formulas is known to be whole."""
-    return shown(value) if type(value) is str else value
-
-
 def _without_charts(value: object) -> object:
-    return "" if isinstance(value, Chart) else _seen(value)
+    return "" if isinstance(value, Chart) else seen(value)
 
 
 # One environment for each folder and language of a run.
@@ -224,7 +200,7 @@ def template_environment(
         loader=FileSystemLoader(template_folders(templates)),
         autoescape=True,
         undefined=StrictUndefined,
-        finalize=_seen if with_charts else _without_charts,
+        finalize=seen if with_charts else _without_charts,
         trim_blocks=True,
         lstrip_blocks=True,
         bytecode_cache=CompiledBefore(),
@@ -239,8 +215,8 @@ def template_environment(
         "out_of": lambda value: points_out_of(value, words),
         "percent": lambda share: percent_text(share, words),
         "day": lambda day: day_text(day, words),
-        "prose": _prose,
-        "below": _below,
+        "prose": prose,
+        "below": below,
         "symbol": lambda symbol: _markup(declared_symbol(symbol)) if symbol else "",
         "formula": _markup,
         "mathml": _mathml,

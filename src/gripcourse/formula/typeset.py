@@ -63,8 +63,8 @@ _SIGNS: Final = {"<=": "≤", ">=": "≥", "==": "=", "<": "<", ">": ">", "+": "
 _RAISED_WORDS: Final = frozenset({"sin", "cos", "tan", "log"})
 _ALL_DIGITS: Final = 15
 _RELATION: Final = re.compile(r"\s+([≤≥<>=])\s+|([,;])\s+")
-# A sign between symbols; a bracket, where what it holds has a subscript of its own.
-_SIGN: Final = re.compile(r"(\s*[·/−+]\s*|\[(?=[^\]]*_)|(?<=\w)\](?=$|\s*[·/−+]))")
+# A sign between symbols, or a bar; a bracket, where what it holds has a subscript of its own.
+_SIGN: Final = re.compile(r"(\s*[·/−+]\s*|\||\[(?=[^\]]*_)|(?<=\w)\](?=$|\s*[·/−+]))")
 _BRACKETED: Final = re.compile(r"\[([^\[\]]+_[^\[\]]+)\]")
 _RUN: Final = re.compile(r"[A-Za-z]+|[α-ωϑϕϰϱϵ]|[^A-Za-zα-ωϑϕϰϱϵ]+")
 

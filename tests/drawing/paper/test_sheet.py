@@ -4,10 +4,12 @@ from typing import TYPE_CHECKING
 
 import pytest
 
-from gripcourse.drawing.paper.sheet import block_box
+from gripcourse.drawing.paper.cells import NORMAL
+from gripcourse.drawing.paper.document import new_document
+from gripcourse.drawing.paper.sheet import Notes, block_box, draw_notes, note_lines
 from gripcourse.drawing.paper.strokes import Box, box_of
 from gripcourse.drawing.paper.text import Point, read_text, text_width
-from gripcourse.text.words import LANGUAGES
+from gripcourse.text.words import LANGUAGES, Words, message
 from support.each import each
 
 if TYPE_CHECKING:
@@ -53,3 +55,18 @@ def box_of_text(one: "Text") -> Box:
     x, y = point_of(one)
     left = {"MIDDLE_LEFT": x, "MIDDLE_CENTER": x - width / 2}[one.get_align_enum().name]
     return Box(left, y - half, left + width, y + half)
+
+
+def test_a_note_that_is_too_long_goes_on_in_the_next_line_in_letters_of_the_same_height() -> None:
+    long = "Сердечники и ярма из отожжённой стали; торцы полюсов обработать совместно " * 3
+    notes = (Notes(message("Technical requirements"), (long, "Масса расчётная.")),)
+    space = new_document("ru").modelspace()
+    width, height = 185.0, 6.0 * note_lines(notes)
+    draw_notes(space, Box(0.0, 0.0, width, height), notes, Words("ru"))
+    texts = list(space.query("TEXT"))
+    assert {(one.dxf.height, one.dxf.width) for one in texts} == {(NORMAL, 1.0)}
+    assert len(texts) == note_lines(notes) > 4
+    boxes = [box_of_text(one) for one in texts]
+    assert not [one for one in boxes if one.left < 0 or one.right > width or one.bottom < 0]
+    said = " ".join(read_text(one) for one in texts)
+    assert " ".join(f"1. {long} 2. Масса расчётная.".split()) in said

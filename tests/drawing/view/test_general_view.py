@@ -26,6 +26,7 @@ from gripcourse.drawing.paper.strokes import (
     outside,
     points_of,
     runs_over,
+    runs_through,
 )
 from gripcourse.drawing.paper.svg import svg_text
 from gripcourse.drawing.paper.text import Point, read_text
@@ -51,6 +52,7 @@ if TYPE_CHECKING:
 HALF, NEARLY_HALF = 0.5, 0.42  # of the free field, that all views take
 ROUNDED = 0.25  # mm of the thing: what covers a circle is a polygon
 BY_FACES = 0.25  # of it, that the faces take without details
+ON = 0.25  # mm of paper: half of the width of a stroke
 THREE_FINGERS = {"link_lever_3", "wedge_roller_3"}  # one of them is turned into the main view
 SVG = "{http://www.w3.org/2000/svg}"
 
@@ -173,6 +175,32 @@ def test_marks_of_details_stand_free_of_each_other_and_of_numbers(
     rims = [mark.rim for mark in face.marks if mark.rim is not None]
     numbers = [one.text_box for one in face.dimensions]
     assert not [pair for pair in product(rims, numbers) if runs_over(*pair)]
+
+
+@each("any_variants", "any_variant")
+def test_no_leader_runs_through_a_stroke_or_an_arrow_of_a_section(
+    draw: "Draw", any_variant: str
+) -> None:
+    face = draw(any_variant).view.faces[Face.MAIN]
+    marks = [box for mark in face.marks for box in mark.boxes]
+    assert not [one.note.text for one in face.leaders if runs_through(one.line, marks)]
+
+
+@each("any_variants", "any_variant")
+def test_no_extension_line_lies_on_the_stroke_of_a_section(draw: "Draw", any_variant: str) -> None:
+    drawn = draw(any_variant)
+    face, origin = drawn.view.faces[Face.MAIN], drawn.view.arranged.origins[Face.MAIN]
+    strokes = [
+        Box(mark.x - ON, box.bottom, mark.x + ON, box.top).moved(origin)
+        for mark in face.marks
+        for box in mark.boxes
+    ]
+    drawings = drawn.view.document.modelspace().query("DIMENSION")
+    lines = [line for one in drawings for line in one.get_geometry_block().query("LINE")]
+    for line in lines:
+        start, end = line.dxf.start, line.dxf.end
+        assert not runs_through(Line((start.x, start.y), (end.x, end.y)), strokes)
+    assert {one.dxf.lineweight for one in lines} == {18}
 
 
 @each("any_variants", "any_variant")

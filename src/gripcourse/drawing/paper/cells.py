@@ -13,7 +13,10 @@ if TYPE_CHECKING:
 
 PAD = 1.0  # free beside the words of a cell
 SMALL, NORMAL, LARGE = 2.5, 3.5, 5.0  # heights of letters
-_SUBSCRIPT = re.compile(r"_(\w+)")
+# A letter stands by itself before its subscript: where a program draws signs closer together than
+# they are wide, as some do `7,`, it stays beside what stands under it.
+_SUBSCRIPT = re.compile(r"([^\s_]+)_(\w+)")
+_RUNS = 3  # before the letter, the letter, what stands under it
 _RAISED = 0.1  # for each further line in a cell: letters reach below their line
 _SMALLER, _DROP = 0.7, 0.4  # a subscript, in heights of the letters that it stands beside
 
@@ -90,7 +93,7 @@ class Cells:
         squeeze = min(1.0, widest / max(text_width(plain, height), widest))
         x, y = at
         for number, run in enumerate(_SUBSCRIPT.split(line)):
-            is_below = number % 2 == 1
+            is_below = number % _RUNS == _RUNS - 1
             high = height * _SMALLER if is_below else height
             low = y - (_DROP * height if is_below else 0.0)
             wide = text_width(run, high) * squeeze

@@ -11,7 +11,7 @@ from gripcourse.drawing.paper.cells import LARGE, NORMAL, PAD, SMALL, Cells, Pen
 from gripcourse.drawing.paper.document import LineKind
 from gripcourse.drawing.paper.margin import draw_margin
 from gripcourse.drawing.paper.strokes import Box
-from gripcourse.drawing.paper.text import add_text
+from gripcourse.drawing.paper.text import add_text, wrapped
 from gripcourse.drawing.paper.title_block import (
     BLOCK_HEIGHT,
     BLOCK_WIDTH,
@@ -163,6 +163,21 @@ def _cells(row: PartsRow) -> tuple[str, ...]:
     return row.number, row.title, row.count, row.material, row.sizes
 
 
+def note_lines(notes: Sequence[Notes]) -> int:
+    """Return how many lines notes take with their headings."""
+    return sum(1 + len(_written(one)) for one in notes)
+
+
+def _written(notes: Notes) -> list[str]:
+    """Return the lines of notes, numbered; one that is too long goes on in the next."""
+    numbered = [
+        line if is_explanation(line) else f"{number}. {line}"
+        for number, line in enumerate(notes.lines, 1)
+    ]
+    room = BLOCK_WIDTH - _INDENT - 2 * PAD
+    return [one for line in numbered for one in wrapped(line, NORMAL, room, len(line))]
+
+
 def draw_notes(layout: "Modelspace", box: Box, notes: Sequence[Notes], words: Words) -> None:
     """Write notes to the top of a box, one below the other."""
     cell, level = Cells(Pen(layout), box.left, box.top), 0.0
@@ -170,10 +185,9 @@ def draw_notes(layout: "Modelspace", box: Box, notes: Sequence[Notes], words: Wo
         level -= _LINE
         heading = words.say(one.heading)
         cell.words(heading, (0.0, level), (box.width, _LINE), NORMAL, middle=True)
-        for number, line in enumerate(one.lines, 1):
+        for line in _written(one):
             level -= _LINE
-            text = line if is_explanation(line) else f"{number}. {line}"
-            cell.words(text, (_INDENT, level), (box.width - _INDENT, _LINE), NORMAL)
+            cell.words(line, (_INDENT, level), (box.width - _INDENT, _LINE), NORMAL)
 
 
 def _set_extents(layout: "Modelspace", sheet: Format) -> None:

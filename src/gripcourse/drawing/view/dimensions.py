@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from gripcourse.course.view import Side
 from gripcourse.drawing.paper.document import ARROW, DIMENSION_STYLE, TEXT_HEIGHT, LineKind
-from gripcourse.drawing.paper.strokes import Box
+from gripcourse.drawing.paper.strokes import Box, Line, Stroke, outside, points_of
 from gripcourse.drawing.paper.text import Point, add_text, text_width
 
 if TYPE_CHECKING:
@@ -96,9 +96,17 @@ def place(wanted: Iterable[Wanted], outline: Box) -> list[Placed]:
 
 
 def draw_dimensions(
-    layout: "Modelspace", placed: Sequence[Placed], scale: float, by: Point
+    layout: "Modelspace",
+    placed: Sequence[Placed],
+    scale: float,
+    by: Point,
+    clear: Sequence[Box] = (),
 ) -> None:
-    """Draw dimensions of what stands on paper in a scale, moved by `by`."""
+    """Draw dimensions of what stands on paper in a scale, moved by `by`.
+
+    Their lines are interrupted in boxes that are to stay clear.
+    """
+    moved = [one.moved(by) for one in clear]
     for one in placed:
         wanted, upright = one.wanted, one.wanted.upright
         base = (one.line, wanted.start[1]) if upright else (wanted.start[0], one.line)
@@ -118,6 +126,7 @@ def draw_dimensions(
         dimension.set_location(_moved(middle, by), leader=False, relative=False)
         dimension.render()
         _write_plainly(dimension.dimension, one, middle=_moved(middle, by))
+        _interrupt(dimension.dimension, moved)
         _draw_shelf(layout, one, by)
 
 
@@ -139,6 +148,25 @@ def _write_plainly(dimension: "Dimension", one: Placed, middle: Point) -> None:
             layer=LineKind.DIMENSION,
             rotation=90.0 if one.wanted.upright else 0.0,
         )
+
+
+def _interrupt(dimension: "Dimension", clear: Sequence[Box]) -> None:
+    """Leave out of the lines of a dimension what lies in boxes."""
+    block = dimension.get_geometry_block()
+    if block is None:
+        return
+    for drawn in [one for one in block if one.dxftype() == "LINE"]:
+        start, end = drawn.dxf.start, drawn.dxf.end
+        whole = Line((start.x, start.y), (end.x, end.y))
+        pieces: list[Stroke] = [whole]
+        for box in clear:
+            pieces = [left for one in pieces for left in outside(one, box.corners)]
+        if pieces != [whole]:
+            attributes = drawn.dxfattribs(drop={"handle", "owner", "start", "end"})
+            block.delete_entity(drawn)
+            for piece in pieces:
+                first, last = points_of(piece)
+                block.add_line(first, last, dxfattribs=attributes)
 
 
 def _draw_shelf(layout: "Modelspace", one: Placed, by: Point) -> None:

@@ -29,6 +29,7 @@ _AWAY, _STROKE = 1.0, 8.0  # of the marks of a plane, from the outline, and how 
 _ARROW_AT, _SHAFT = 6.0, 8.0
 _CLOSE = 2 * _SHAFT + 2 * LETTER  # planes whose arrows would run into one another
 _HALF_ARROW = ARROW / 6
+_ON = 0.3  # how near a line lies to a stroke that it would be drawn on
 _CLEAR = 0.5  # of letters, from extension lines
 _ORIGIN = (0.0, 0.0)
 
@@ -167,6 +168,18 @@ class DetailMark:
         return (Box(left, up, right, up + _STROKE), Box(left, down - _STROKE, right, down))
 
     @property
+    def clear(self) -> tuple[Box, ...]:
+        """What a line that lies on the plane leaves free round both strokes."""
+        if self.rim is not None:
+            return ()
+        left, right = self.x - _ON, self.x + _ON
+        near, far = _AWAY / 2, _STROKE + 2 * _AWAY  # no line along the outline itself
+        return (
+            Box(left, self.high + near, right, self.high + far),
+            Box(left, self.low - far, right, self.low - near),
+        )
+
+    @property
     def letters(self) -> tuple[Box, ...]:
         """The boxes round the letters at both ends of a plane, the upper one first."""
         if self.rim is not None:
@@ -185,11 +198,12 @@ def marks_of(
     bare: Box,
     words: Words,
     below: Sequence[float] = (),
-) -> tuple[DetailMark, ...]:
-    """Return the marks of details in a main view whose strokes fill a box.
+) -> list[tuple[DetailMark, ...]]:
+    """Return the marks of details in a main view whose strokes fill a box, in equally good ways.
 
     A plane that lies close behind another one is looked at from the other side, so that the arrows
-    have room; so is one by whose letter an extension line would run.
+    have room; so is one by whose letter an extension line would run. What is no better from either
+    side is returned both ways, that from the left first.
 
     Args:
         details: those on the sheet.
@@ -211,7 +225,9 @@ def marks_of(
         sides = (towards, -towards) if one.is_section else (towards,)
         low, high = _levels(x, letter, bare, [arc for arc in rims if arc is not None])
         marks.append([DetailMark(letter, side, rim, x, low, high) for side in sides])
-    return min(product(*marks), key=lambda chosen: _in_the_way(chosen, below))
+    ways = [(_in_the_way(chosen, below), chosen) for chosen in product(*marks)]
+    least = min(how for how, _ in ways)
+    return [chosen for how, chosen in ways if how == least]
 
 
 def _levels(x: float, letter: str, bare: Box, rims: Sequence[Arc]) -> tuple[float, float]:

@@ -13,7 +13,14 @@ from gripcourse.drawing.view.details import Detail
 from gripcourse.drawing.view.dimensions import FIRST_ROW, Placed, Wanted, draw_dimensions, place
 from gripcourse.drawing.view.drawn_strokes import draw_cut, draw_stroke
 from gripcourse.drawing.view.enlarged import DetailMark, draw_mark, marks_of
-from gripcourse.drawing.view.leaders import Leader, Note, draw_leaders, place_leaders
+from gripcourse.drawing.view.leaders import (
+    Leader,
+    Note,
+    draw_leaders,
+    fewest,
+    place_leaders,
+    through,
+)
 from gripcourse.drawing.view.lengths import FOR_REFERENCE, length_text
 from gripcourse.text.words import Words
 
@@ -56,7 +63,7 @@ class FaceLayout:
             )
             found.append(one.box.joined(near))
         found += [one.box.joined(Box(*one.note.at, *one.note.at)) for one in self.leaders]
-        return (*found, *(box for mark in self.marks for box in mark.boxes))
+        return (*found, *_boxes_of(self.marks))
 
     @property
     def box(self) -> Box:
@@ -74,32 +81,49 @@ def face_layout(
     extent = shown.extents[face]
     bare = Box(extent.left * scale, extent.bottom * scale, extent.right * scale, extent.top * scale)
     axes = tuple(_axes(face, bare, upright=shown.upright))
-    outline = bare
-    for axis in axes:
-        outline = outline.joined(Box(*axis.start, *axis.end))
     wanted = [_wanted(one, scale, words) for one in shown.measured if one.declared.face is face]
     wanted += [_for_reference(one, scale, words) for one in shown.overall if one.face is face]
     down = [x for one in wanted if one.side is Side.BELOW for x, _ in (one.start, one.end)]
-    marks = marks_of(details if face is Face.MAIN else (), scale, bare, words, down)
+    notes = list(_notes(shown, face, scale, words))
+    ways = marks_of(details if face is Face.MAIN else (), scale, bare, words, down)
+    laid = (_marked(one, bare, axes, wanted, notes) for one in ways)
+    return fewest(next(laid), laid, lambda one: through(one.leaders, _boxes_of(one.marks)))
+
+
+def _marked(
+    marks: tuple[DetailMark, ...],
+    bare: Box,
+    axes: tuple[Line, ...],
+    wanted: Sequence[Wanted],
+    notes: Sequence[Note],
+) -> FaceLayout:
+    """Lay out a face whose details are marked in one of the ways they may be."""
+    outline = bare
+    for axis in axes:
+        outline = outline.joined(Box(*axis.start, *axis.end))
     around = _with_marks(bare, marks)
     dimensions = place(wanted, around)
     rims = [one.rim for one in marks if one.rim is not None]
     if any(runs_over(rim, one.text_box) for rim in rims for one in dimensions):
         dimensions = place(wanted, _with_rims(around, rims))
-    taken = [box for mark in marks for box in mark.boxes]
+    taken = _boxes_of(marks)
     numbers = [one.text_box for one in dimensions]
     numbers += [box for mark in marks for box in mark.letters]
     below = outline
     for box in (*(one.box for one in dimensions), *taken):
         below = below.joined(box)
-    notes = [*_notes(shown, face, scale, words), *(one.note for one in marks if one.note)]
-    leaders = place_leaders(notes, below, numbers, taken)
+    with_letters = [*notes, *(one.note for one in marks if one.note)]
+    leaders = place_leaders(with_letters, below, numbers, taken)
     return FaceLayout(outline, axes, tuple(dimensions), tuple(leaders), marks)
+
+
+def _boxes_of(marks: Sequence[DetailMark]) -> list[Box]:
+    return [box for mark in marks for box in mark.boxes]
 
 
 def _with_marks(bare: Box, marks: Sequence[DetailMark]) -> Box:
     """Return the box that dimensions stand round: under it there is room for marks of sections."""
-    low = [box.bottom for mark in marks for box in mark.boxes]
+    low = [box.bottom for box in _boxes_of(marks)]
     clear = FIRST_ROW - 2 * TEXT_HEIGHT  # what a first row leaves free over its numbers
     bottom = min([bare.bottom, *(one + clear for one in low)])
     return Box(bare.left, bottom, bare.right, bare.top)
@@ -124,7 +148,8 @@ def draw_face(
         draw_cut(layout, cut, scale, at)
     for mark in laid.marks:
         draw_mark(layout, mark, at)
-    draw_dimensions(layout, laid.dimensions, scale, at)
+    clear = [box for mark in laid.marks for box in mark.clear]
+    draw_dimensions(layout, laid.dimensions, scale, at, clear)
     draw_leaders(layout, laid.leaders, at)
 
 

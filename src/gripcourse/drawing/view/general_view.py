@@ -18,6 +18,7 @@ from gripcourse.drawing.paper.sheet import (
     draw_notes,
     draw_sheet,
     is_explanation,
+    note_lines,
 )
 from gripcourse.drawing.paper.strokes import Box
 from gripcourse.drawing.paper.svg import svg_text
@@ -77,7 +78,7 @@ def general_view(
     details = details_of(plain, plan, view, values)
     required = _required(view, words, starred=bool(plain.overall or details))
     notes = tuple(_notes(_characteristics(view, plan, values, words), required))
-    lines = sum(1 + len(one.lines) for one in notes)
+    lines = note_lines(notes)
     main = plain.extents[Face.MAIN]
     pictured = Pictured(max(main.width, main.height), plain.detail)
     content = _content(plain, details, words)

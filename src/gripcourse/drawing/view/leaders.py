@@ -3,10 +3,10 @@
 Lengths are millimetres of paper, in the coordinates of the face.
 """
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
-from itertools import chain, combinations
-from typing import TYPE_CHECKING
+from itertools import chain, combinations, pairwise
+from typing import TYPE_CHECKING, TypeVar
 
 from gripcourse.drawing.paper.document import LineKind
 from gripcourse.drawing.paper.strokes import Box, Line, runs_through
@@ -15,6 +15,8 @@ from gripcourse.drawing.view.shelves import apart
 
 if TYPE_CHECKING:
     from ezdxf.layouts.layout import Modelspace
+
+_Way = TypeVar("_Way")
 
 ABOVE = 10.0  # from what stands below to the shelves
 _BETWEEN = 4.0  # from one shelf to the next
@@ -92,15 +94,52 @@ def place_leaders(
 def _apart(
     leaders: Sequence[Leader], numbers: Sequence[Box], marks: Sequence[Box]
 ) -> list[Leader] | None:
-    """Move each shelf by itself; None where lines cross then, or run through numbers."""
+    """Move each shelf by itself, and let two neighbours change places where a mark asks for it.
+
+    None where lines cross then, or run through numbers.
+    """
     if not leaders:
         return None
+    moved = (_moved_apart(one, numbers, marks) for one in _orders(leaders))
+    found = (one for one in moved if one is not None)
+    first = next(found, None)
+    return None if first is None else fewest(first, found, lambda one: through(one, marks))
+
+
+def _orders(leaders: Sequence[Leader]) -> Iterator[Sequence[Leader]]:
+    """Yield a row as it is, then with each pair of neighbours the other way round."""
+    yield leaders
+    for number, (one, other) in enumerate(pairwise(leaders)):
+        after = one.left + other.note.width + _BETWEEN
+        swapped = (replace(other, left=one.left), replace(one, left=after))
+        yield [*leaders[:number], *swapped, *leaders[number + 2 :]]
+
+
+def _moved_apart(
+    leaders: Sequence[Leader], numbers: Sequence[Box], marks: Sequence[Box]
+) -> list[Leader] | None:
+    """Move each shelf of a row by itself; None where lines cross then, or run through numbers."""
     places = [(one.note.at, one.note.width, one.left) for one in leaders]
     lefts = apart(places, leaders[0].level, _BETWEEN, numbers, marks)
     if lefts is None:
         return None
     found = [replace(one, left=left) for one, left in zip(leaders, lefts, strict=True)]
     return found if _is_clear(found, numbers) else None
+
+
+def through(leaders: Iterable[Leader], boxes: Sequence[Box]) -> int:
+    """Return how many leader lines run through boxes."""
+    return sum(runs_through(one.line, boxes) for one in leaders)
+
+
+def fewest(first: _Way, others: Iterable[_Way], faults: Callable[[_Way], int]) -> _Way:
+    """Return the first way without faults, else the first of those with the fewest."""
+    best, least = first, faults(first)
+    ways = iter(others)
+    while least and (way := next(ways, None)) is not None:
+        if (found := faults(way)) < least:
+            best, least = way, found
+    return best
 
 
 def _moved_along(leaders: Sequence[Leader]) -> Iterator[list[Leader]]:

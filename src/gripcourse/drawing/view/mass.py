@@ -46,8 +46,7 @@ def mass_of(plan: Plan, view: View, solved: Mapping[str, float]) -> float | None
         pieces = [one for one in pieces_of(part, scene) if one.key not in unseen]
         copies = (around or _TWO) / _TWO if part.mirrored else 1.0
         volume = _volume(pieces, upright=view.upright)
-        each = float(numbers.values[part.density_per]) if part.density_per else 1.0
-        mass += copies * volume * _CUBIC * made_of(part, view, numbers).density * each
+        mass += copies * volume * _CUBIC * made_of(part, view, numbers).density
     return mass
 
 

@@ -1,0 +1,64 @@
+"""Titles and sentences of a course as HTML: symbols, powers, and numbers that keep their units."""
+
+import re
+from functools import lru_cache
+from typing import TYPE_CHECKING, Final
+
+from gripcourse.formula.markup import html
+from gripcourse.formula.prose import SYMBOL, subscript_runs
+from gripcourse.formula.typeset import symbol_box
+from gripcourse.text.amounts import NO_BREAK_SPACE
+from gripcourse.text.shown import shown
+from gripcourse.text.units import unit_names, unit_text
+from gripcourse.text.words import LANGUAGES
+
+# 20 ms to import: only who makes a document pays.
+# ruff: noqa: PLC0415
+
+if TYPE_CHECKING:
+    from markupsafe import Markup
+
+# `Re^(0,8)`, `10^4`, `v^−0.09`: what stands in brackets holds none itself.
+_POWER: Final = re.compile(r"\^(?:\(([^()]+)\)|([−-]?\d+(?:[.,]\d+)?))")
+
+
+def seen(value: object) -> object:
+    """Keep what no page can show out of it; what was made of formulas is known to be whole."""
+    return shown(value) if type(value) is str else value
+
+
+def prose(title: object) -> "Markup":
+    """Return a title as HTML; a symbol in it, `v_1`, looks as it does in a formula."""
+    from markupsafe import Markup, escape
+
+    written = str(escape(_kept_together(title)))
+    looking = SYMBOL.sub(lambda found: html(symbol_box(found[0])), written)
+    return Markup(_raised(looking))  # noqa: S704 - escaped
+
+
+def below(title: object) -> "Markup":
+    """Return a title as HTML with the subscripts of its symbols; their letters stay as they are."""
+    from markupsafe import Markup, escape
+
+    looking = Markup("").join(
+        Markup("<sub>{}</sub>").format(run) if low else escape(run)
+        for run, low in subscript_runs(_kept_together(title))
+    )
+    return Markup(_raised(str(looking)))  # noqa: S704 - escaped
+
+
+def _raised(escaped: str) -> str:
+    """Raise the powers of a text that was escaped."""
+    return _POWER.sub(lambda found: f"<sup>{found[1] or found[2]}</sup>", escaped)
+
+
+def _kept_together(title: object) -> str:
+    """Let no line end between a number and its unit."""
+    return _before_a_unit().sub(NO_BREAK_SPACE, str(seen(title)))
+
+
+@lru_cache(maxsize=1)
+def _before_a_unit() -> re.Pattern[str]:
+    written = {unit_text(name, language) for name in unit_names() for language in LANGUAGES}
+    units = "|".join(re.escape(one) for one in sorted(written - {""}, key=len, reverse=True))
+    return re.compile(rf"(?<=\d) (?=(?:{units})(?!\w))")
