@@ -1,5 +1,6 @@
 """A number that stands in two cells may have been written into the wrong one."""
 
+import math
 from collections.abc import Callable
 from itertools import pairwise
 from typing import TYPE_CHECKING
@@ -82,3 +83,28 @@ def test_two_numbers_in_each_others_cells_cost_once(
     assert case.lost({**case.answers, **exchanged}) == {ends[0]}
     assert "are exchanged" in str(findings[ends[0]].message)
     assert findings[ends[1]].roots == (ends[0],)
+
+
+def test_two_cells_one_below_the_other_cost_once_whatever_their_units(
+    hydraulic: "Case", typed: Callable[[str, float, int], Answer]
+) -> None:
+    """Newtons in the cell of millimetres, and the other way round; cells far apart cost each."""
+    case = hydraulic.without_errata
+    cells = [one for one in case.plan.answered if one.id in case.answers]
+    pairs = [
+        (one, other)
+        for one, other in pairwise(cells)
+        if one.section == other.section
+        and one.unit != other.unit
+        and {one.kind, other.kind} == {Kind.FORMULA}
+        and not math.isclose(case.reference[one.id], case.reference[other.id], rel_tol=0.1)
+    ]
+    assert len(pairs) > 3
+    far = (pairs[0][0], next(one for one, _ in pairs[2:] if one.unit != pairs[0][0].unit))
+    for one, other in (*pairs, far):
+        written = {
+            here.id: typed(here.id, case.reference[there.id], 4)
+            for here, there in ((one, other), (other, one))
+        }
+        lost = case.lost({**case.answers, **written})
+        assert lost == ({one.id} if (one, other) != far else {one.id, other.id}), (one.id, other.id)

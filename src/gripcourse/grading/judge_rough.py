@@ -10,6 +10,7 @@ from gripcourse.text.words import Message, message
 
 # Beyond this share of the value a rounded number says too little to earn anything.
 ROUGHEST = 0.05
+_LOST_BY_ZEROS = 0.1  # share of the value
 
 
 def judge_rough(comparison: Comparison) -> Judgement | None:
@@ -61,11 +62,11 @@ def is_rounded_from(comparison: Comparison, target: float) -> bool:
 def _of_zeros(answer: Answer, target: float) -> float:
     """Return half a unit of the last digit before the zeros: 190 for 194, 40 for 38.
 
-    One figure of the number itself must be left: 100 is no rounded 68.
+    Zeros may be the digits of another number, so little must be lost by them: 30 is no rounded 25.
     """
     if answer.value is None or answer.figures is None:
         return 0.0
-    return min(figure_half_unit(answer.value, answer.figures), figure_half_unit(target, 1))
+    return min(figure_half_unit(answer.value, answer.figures), _LOST_BY_ZEROS * abs(target))
 
 
 def _figures(comparison: Comparison, target: float) -> int:
