@@ -108,3 +108,39 @@ def test_two_cells_one_below_the_other_cost_once_whatever_their_units(
         }
         lost = case.lost({**case.answers, **written})
         assert lost == ({one.id} if (one, other) != far else {one.id, other.id}), (one.id, other.id)
+
+
+def test_after_a_mistake_two_cells_are_exchanged_by_ones_own_numbers(
+    table: "tuple[Case, ...]", typed: Callable[[str, float, int], Answer]
+) -> None:
+    """What one of them should be is computed with the number that stands in the other's cell."""
+    tried = 0
+    for case in table:
+        quantities = case.plan.quantities
+        for one, other in pairwise(case.plan.answered):
+            if one.id not in case.plan.inputs[other.id] or one.section != other.section:
+                continue
+            if {one.kind, other.kind} != {Kind.FORMULA}:
+                continue
+            before = [
+                name for name in case.plan.inputs[one.id] if quantities[name].kind is Kind.FORMULA
+            ]
+            if not before:
+                continue
+            wrong = case.following(**{before[0]: 1.37 * case.reference[before[0]]})
+            near = wrong[one.id] / wrong[other.id]
+            moved = wrong[other.id] / case.reference[other.id]
+            if abs(near - 1) < FAR or abs(moved - 1) < FAR or quantities[one.id].integer:
+                continue
+            written = {
+                one.id: typed(one.id, wrong[other.id], 4),
+                other.id: typed(other.id, wrong[one.id], 4),
+            }
+            findings = case.findings({**wrong, **written})
+            assert "are exchanged" in str(findings[one.id].message), (case.label, one.id)
+            assert findings[other.id].points == findings[other.id].max_points
+            tried += 1
+            break
+        if tried > 2:
+            return
+    assert tried

@@ -48,15 +48,23 @@ def _pairs(judged: Sequence[JudgedAnswer]) -> Iterator[tuple[JudgedAnswer, Judge
         is_next = below == place + 1 and one.quantity.section == other.quantity.section
         if (
             (is_next or one.quantity.unit == other.quantity.unit)
-            and _is_for(here.value, there)
-            and _is_for(there.value, here)
+            and _is_for(here.value, there, one.quantity.id)
+            and _is_for(there.value, here, other.quantity.id)
         ):
             yield one, other
 
 
-def _is_for(value: float, comparison: Comparison) -> bool:
-    """Tell whether a number is what an answer should be, by the reference or by own numbers."""
-    wanted = (comparison.reference, comparison.follows.nearest(value))
+def _is_for(value: float, comparison: Comparison, other: str) -> bool:
+    """Tell whether a number is what an answer should be, by the reference or by own numbers.
+
+    Args:
+        value: that stands in the cell of another answer.
+        comparison: of the answer.
+        other: id of the other answer: if it is used here, it was what stands in this cell.
+    """
+    wanted = [comparison.reference, comparison.follows.nearest(value)]
+    if other in comparison.plan.inputs[comparison.quantity.id]:
+        wanted.append(comparison.following(other, comparison.value).nearest(value))
     return any(within(value, one, comparison.band_round(one)) for one in wanted)
 
 
