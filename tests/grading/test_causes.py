@@ -119,6 +119,32 @@ class TestOneWrongNumber:
             one.quantity for one in report.findings
         }
 
+    def test_a_number_that_may_be_rounded_far_is_explained_with_the_others(
+        self, hydraulic: "Case", typed: Typed
+    ) -> None:
+        """A cell shows 1 for what was 1.00, and 0.83 is right: by itself it is too rough."""
+        case = hydraulic.without_errata
+        wrong = {
+            one.id: _with_given(case, typed, {one.id: 1.2 * case.given[one.id]})
+            for one in case.plan.givens
+            if not one.integer
+        }
+        given, moved = max(
+            ((name, _far_off(case, name, answers)) for name, answers in wrong.items()),
+            key=lambda pair: len(pair[1]),
+        )
+        answers = wrong[given]
+        assert len(moved) > 1
+        spoiled, last = list(moved), list(moved.values())[-1]
+        away = abs((last.value or 0) - case.reference[last.quantity])
+        coarse = replace(last, half_unit=1.1 * away)
+        alone = case.findings({**case.answers, last.quantity: coarse})[last.quantity]
+        assert (alone.outcome, alone.points) == (Outcome.ROUGH, 0.0)
+        report = case.judge({**answers, last.quantity: coarse})
+        lost = {one.quantity for one in report.findings if one.points < one.max_points}
+        assert lost & set(spoiled) == {spoiled[0]}
+        assert given in {one.quantity for one in report.causes}
+
     def test_what_cannot_be_told_is_not_named(self, hydraulic: "Case") -> None:
         plan = hydraulic.plan
         explains = ("lifting_load", "grip_force")
@@ -180,6 +206,18 @@ def _with_given(case: "Case", typed: Typed, given: dict[str, float]) -> "dict[st
         else wrong[one.id]
         for one in case.plan.answered
         if math.isfinite(wrong.get(one.id, math.nan))
+    }
+
+
+def _far_off(case: "Case", given: str, answers: "dict[str, Written]") -> dict[str, Answer]:
+    """The answers that use a given value directly and are far from the right ones."""
+    return {
+        one.quantity: one
+        for one in answers.values()
+        if isinstance(one, Answer)
+        and given in case.plan.inputs[one.quantity]
+        and one.value is not None
+        and not math.isclose(one.value, case.reference[one.quantity], rel_tol=0.06)
     }
 
 

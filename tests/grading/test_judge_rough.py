@@ -1,6 +1,7 @@
 """A number that is right but rounded too far is neither wrong nor a slip."""
 
 import math
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import pytest
@@ -135,3 +136,31 @@ def test_an_entry_of_a_table_that_was_rounded_is_not_one_of_another_row(
             assert sound.findings({**sound.answers, one.id: exactly})[one.id].points == 0
             tried += 1
     assert tried
+
+
+def test_a_number_a_whole_unit_below_is_not_cut_off(case: "Case") -> None:
+    """18 is 18.97 with its digits cut off, and not 19."""
+    right = case.reference["arm_angle_open"]
+    unit = 0.1 * right
+    for lost, outcome in ((0.97, Outcome.ROUGH), (1.0, Outcome.WRONG)):
+        answers = {
+            **case.answers,
+            "arm_angle_open": typed("arm_angle_open", right - lost * unit, unit),
+        }
+        assert case.findings(answers)["arm_angle_open"].outcome is outcome, lost
+
+
+def test_zeros_stand_for_few_digits_alone(drawn: "tuple[Case, ...]") -> None:
+    """100 is no 68, though it is the nearest whole hundred; it may be 98."""
+    said = set()
+    for case in drawn:
+        for one in case.plan.answered:
+            right = case.reference.get(one.id, 1.0)
+            if one.kind is not Kind.PICK or one.integer or not 50 < right < 100:
+                continue
+            hundred = replace(typed(one.id, 100.0, 1), figures=1)
+            finding = case.without_errata.findings({**case.answers, one.id: hundred})[one.id]
+            is_right = 100 - right <= 0.1 * right
+            said.add((is_right, finding.outcome is Outcome.ROUGH))
+    assert (False, False) in said
+    assert said <= {(False, False), (True, True)}

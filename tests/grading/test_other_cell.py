@@ -1,5 +1,6 @@
 """A number that stands in two cells may have been written into the wrong one."""
 
+import math
 from collections.abc import Callable
 from itertools import pairwise
 from typing import TYPE_CHECKING
@@ -82,3 +83,64 @@ def test_two_numbers_in_each_others_cells_cost_once(
     assert case.lost({**case.answers, **exchanged}) == {ends[0]}
     assert "are exchanged" in str(findings[ends[0]].message)
     assert findings[ends[1]].roots == (ends[0],)
+
+
+def test_two_cells_one_below_the_other_cost_once_whatever_their_units(
+    hydraulic: "Case", typed: Callable[[str, float, int], Answer]
+) -> None:
+    """Newtons in the cell of millimetres, and the other way round; cells far apart cost each."""
+    case = hydraulic.without_errata
+    cells = [one for one in case.plan.answered if one.id in case.answers]
+    pairs = [
+        (one, other)
+        for one, other in pairwise(cells)
+        if one.section == other.section
+        and one.unit != other.unit
+        and {one.kind, other.kind} == {Kind.FORMULA}
+        and not math.isclose(case.reference[one.id], case.reference[other.id], rel_tol=0.1)
+    ]
+    assert len(pairs) > 3
+    far = (pairs[0][0], next(one for one, _ in pairs[2:] if one.unit != pairs[0][0].unit))
+    for one, other in (*pairs, far):
+        written = {
+            here.id: typed(here.id, case.reference[there.id], 4)
+            for here, there in ((one, other), (other, one))
+        }
+        lost = case.lost({**case.answers, **written})
+        assert lost == ({one.id} if (one, other) != far else {one.id, other.id}), (one.id, other.id)
+
+
+def test_after_a_mistake_two_cells_are_exchanged_by_ones_own_numbers(
+    table: "tuple[Case, ...]", typed: Callable[[str, float, int], Answer]
+) -> None:
+    """What one of them should be is computed with the number that stands in the other's cell."""
+    tried = 0
+    for case in table:
+        quantities = case.plan.quantities
+        for one, other in pairwise(case.plan.answered):
+            if one.id not in case.plan.inputs[other.id] or one.section != other.section:
+                continue
+            if {one.kind, other.kind} != {Kind.FORMULA}:
+                continue
+            before = [
+                name for name in case.plan.inputs[one.id] if quantities[name].kind is Kind.FORMULA
+            ]
+            if not before:
+                continue
+            wrong = case.following(**{before[0]: 1.37 * case.reference[before[0]]})
+            near = wrong[one.id] / wrong[other.id]
+            moved = wrong[other.id] / case.reference[other.id]
+            if abs(near - 1) < FAR or abs(moved - 1) < FAR or quantities[one.id].integer:
+                continue
+            written = {
+                one.id: typed(one.id, wrong[other.id], 4),
+                other.id: typed(other.id, wrong[one.id], 4),
+            }
+            findings = case.findings({**wrong, **written})
+            assert "are exchanged" in str(findings[one.id].message), (case.label, one.id)
+            assert findings[other.id].points == findings[other.id].max_points
+            tried += 1
+            break
+        if tried > 2:
+            return
+    assert tried

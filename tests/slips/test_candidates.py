@@ -146,6 +146,34 @@ class TestGenericSlips:
                 9,
             ),
             (
+                "grip_force*(friction + mechanism_efficiency)",
+                "brackets:11",
+                {"grip_force": 3, "friction": 0.5, "mechanism_efficiency": 0.8},
+                2.3,
+            ),
+            (
+                "grip_force/(friction*mechanism_efficiency*force_ratio)",
+                "brackets:11",
+                {"grip_force": 3, "friction": 0.5, "mechanism_efficiency": 0.8, "force_ratio": 2},
+                9.6,
+            ),
+            ("atan(friction)", "ratio_for_angle:0", {"friction": 0.5}, 0.5),
+            ("atan(friction)", "ratio_for_angle:0,deg", {"friction": 0.5}, np.radians(0.5)),
+            (
+                "atan2(friction, mechanism_efficiency)",
+                "ratio_for_angle:0",
+                {"friction": 0.4, "mechanism_efficiency": 0.8},
+                0.5,
+            ),
+            (
+                "grip_force*(friction*mechanism_efficiency)",
+                "added_for_multiplied:21",
+                {"grip_force": 3, "friction": 0.5, "mechanism_efficiency": 0.8},
+                3.9,
+            ),
+            ("friction**3", "power:0,2", {"friction": 0.5}, 0.25),
+            ("cbrt(grip_force)", "power:0,body", {"grip_force": 8}, 8),
+            (
                 "grip_force*arm_length",
                 "counted_twice:dynamic_factor,grip_force",
                 {"dynamic_factor": 1.5, "grip_force": 4, "arm_length": 2},
@@ -231,6 +259,17 @@ class TestGenericSlips:
     def test_a_plain_product_has_no_slip_of_angles_or_roots(self, slips_of: Slips) -> None:
         kinds = {one.kind for one in slips_of("grip_force*force_ratio").values()}
         assert kinds.isdisjoint({SlipKind.ANGLE_UNIT, SlipKind.POWER, SlipKind.WRONG_FUNCTION})
+
+    def test_brackets_of_a_function_and_those_of_no_use_are_not_left_out(
+        self, slips_of: Slips
+    ) -> None:
+        for formula in ("sqrt(grip_force/force_ratio)", "grip_force + (force_ratio*mass)"):
+            assert not any(one.kind == "brackets" for one in slips_of(formula).values()), formula
+
+    def test_unlike_things_and_numbers_of_the_formula_are_not_added(self, slips_of: Slips) -> None:
+        for formula in ("grip_force*friction", "2*friction", "pi*friction", "2 + friction"):
+            kinds = {one.kind for one in slips_of(formula).values()}
+            assert "added_for_multiplied" not in kinds, formula
 
     def test_a_kind_that_the_course_leaves_out_is_not_made(
         self, plan: Plan, policy: Policy

@@ -32,26 +32,39 @@ def exchanged_once(case: GradingCase, judged: Sequence[JudgedAnswer]) -> list[Ju
 
 
 def _pairs(judged: Sequence[JudgedAnswer]) -> Iterator[tuple[JudgedAnswer, JudgedAnswer]]:
-    """Yield wrong answers of one unit each of which is what the other should be."""
+    """Yield wrong answers each of which is what the other should be.
+
+    They have one unit, or stand one below the other: nobody writes into a cell far away what has
+    another unit, and of two numbers that are wrong for other reasons few are each other's.
+    """
     wrong = [
-        (one, one.comparison)
-        for one in judged
+        (place, one, one.comparison)
+        for place, one in enumerate(judged)
         if one.quantity.kind is Kind.FORMULA
         and one.comparison is not None
         and one.judgement.outcome.traits.mistake
     ]
-    for (one, here), (other, there) in combinations(wrong, 2):
+    for (place, one, here), (below, other, there) in combinations(wrong, 2):
+        is_next = below == place + 1 and one.quantity.section == other.quantity.section
         if (
-            one.quantity.unit == other.quantity.unit
-            and _is_for(here.value, there)
-            and _is_for(there.value, here)
+            (is_next or one.quantity.unit == other.quantity.unit)
+            and _is_for(here.value, there, one.quantity.id)
+            and _is_for(there.value, here, other.quantity.id)
         ):
             yield one, other
 
 
-def _is_for(value: float, comparison: Comparison) -> bool:
-    """Tell whether a number is what an answer should be, by the reference or by own numbers."""
-    wanted = (comparison.reference, comparison.follows.nearest(value))
+def _is_for(value: float, comparison: Comparison, other: str) -> bool:
+    """Tell whether a number is what an answer should be, by the reference or by own numbers.
+
+    Args:
+        value: that stands in the cell of another answer.
+        comparison: of the answer.
+        other: id of the other answer: if it is used here, it was what stands in this cell.
+    """
+    wanted = [comparison.reference, comparison.follows.nearest(value)]
+    if other in comparison.plan.inputs[comparison.quantity.id]:
+        wanted.append(comparison.following(other, comparison.value).nearest(value))
     return any(within(value, one, comparison.band_round(one)) for one in wanted)
 
 

@@ -10,6 +10,7 @@ from gripcourse.text.words import Message, message
 
 # Beyond this share of the value a rounded number says too little to earn anything.
 ROUGHEST = 0.05
+_LOST_BY_ZEROS = 0.1  # share of the value
 
 
 def judge_rough(comparison: Comparison) -> Judgement | None:
@@ -51,16 +52,21 @@ def is_rounded_from(comparison: Comparison, target: float) -> bool:
     decided = comparison.quantity.exact and comparison.quantity.kind is not Kind.PICK
     if value == 0 or decided or comparison.quantity.integer:
         return False
-    nearest = max(half_unit, _of_zeros(comparison.answer))
+    nearest = max(half_unit, _of_zeros(comparison.answer, target))
     cut = 2 * half_unit * comparison.policy.last_digit if abs(value) < abs(target) else 0.0
-    return nearest > 0 and abs(value - target) <= max(nearest, cut) * SLACK
+    away = abs(value - target)
+    # Cutting off leaves a number below the next whole unit: 18 is 18.97, and not 19.
+    return nearest > 0 and (away <= nearest * SLACK or away * SLACK < cut)
 
 
-def _of_zeros(answer: Answer) -> float:
-    """Return half a unit of the last digit before the zeros: 190 for 194, 40 for 38."""
+def _of_zeros(answer: Answer, target: float) -> float:
+    """Return half a unit of the last digit before the zeros: 190 for 194, 40 for 38.
+
+    Zeros may be the digits of another number, so little must be lost by them: 30 is no rounded 25.
+    """
     if answer.value is None or answer.figures is None:
         return 0.0
-    return figure_half_unit(answer.value, answer.figures)
+    return min(figure_half_unit(answer.value, answer.figures), _LOST_BY_ZEROS * abs(target))
 
 
 def _figures(comparison: Comparison, target: float) -> int:

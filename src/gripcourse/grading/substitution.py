@@ -14,7 +14,7 @@ from typing import Final
 import numpy as np
 
 from gripcourse.course.quantity import Kind
-from gripcourse.grading.comparison import Comparison
+from gripcourse.grading.comparison import Comparison, Judgement
 from gripcourse.grading.explain import FROM_HABIT, unexplained
 from gripcourse.grading.misreading import ANYTHING, misreadings, neighbours
 from gripcourse.grading.roots import Array, overlaps, reach, spans
@@ -138,7 +138,7 @@ def _wrong(case: GradingCase, judged: Sequence[JudgedAnswer]) -> list[_Wrong]:
         comparison = one.comparison
         if comparison is None or not case.is_own or not comparison.answer.unit_fits:
             continue
-        if not one.judgement.outcome.traits.mistake:
+        if not (one.judgement.outcome.traits.mistake or _is_far(one.judgement)):
             continue
         alone = one.judgement.alone
         if math.isnan(alone):
@@ -147,6 +147,11 @@ def _wrong(case: GradingCase, judged: Sequence[JudgedAnswer]) -> list[_Wrong]:
         alone = _BY_CHANCE.get(one.quantity.kind, alone)
         found[one.quantity.id] = _Wrong(comparison, alone, tuple(_habits(comparison)))
     return [found[name] for name in case.plan.quantities if name in found]
+
+
+def _is_far(judgement: Judgement) -> bool:
+    """Tell whether an answer may be rounded so far that it earns nothing; or it is another one."""
+    return judgement.outcome.traits.coarse and not judgement.credit
 
 
 def _habits(comparison: Comparison) -> Iterator[Mapping[str, float]]:

@@ -38,6 +38,9 @@ class SlipKind(StrEnum):
     MASS_FOR_WEIGHT = "mass_for_weight"
     RING_FOR_CIRCLE = "ring_for_circle"
     COUNTED_TWICE = "counted_twice"  # a factor that was counted already
+    BRACKETS = "brackets"  # left out when a formula was keyed in
+    RATIO_FOR_ANGLE = "ratio_for_angle"  # the sine for its angle
+    ADDED_FOR_MULTIPLIED = "added_for_multiplied"  # or the other way round
 
 
 OF_WRITING: Final = frozenset({SlipKind.UNIT, SlipKind.POWER_OF_TEN})

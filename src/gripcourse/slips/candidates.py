@@ -26,7 +26,14 @@ from gripcourse.text.words import LANGUAGES, Texts
 
 _GENERIC = frozenset({Kind.FORMULA, Kind.PICK})
 # After these a result may measure something else: its number then depends on the units of the work.
-_OF_DIMENSIONS = frozenset({SlipKind.POWER, SlipKind.MULTIPLIED_FOR_DIVIDED})
+_OF_DIMENSIONS = frozenset(
+    {
+        SlipKind.POWER,
+        SlipKind.MULTIPLIED_FOR_DIVIDED,
+        SlipKind.BRACKETS,
+        SlipKind.ADDED_FOR_MULTIPLIED,
+    }
+)
 _REMEMBERED = 4096  # quantities: several courses of the size of the reference course
 
 

@@ -13,6 +13,7 @@ from typing import Final, TypeAlias
 
 from gripcourse.formula.tree import Call, Name, Negation, Node, Number, Operation
 from gripcourse.policy.slips import SlipKind
+from gripcourse.slips.calculator import added_for_multiplied, brackets_left_out, ratio_for_angle
 from gripcourse.slips.ends import other_ends
 from gripcourse.slips.rewrite import everywhere, number, renamed, rewritings, scaled
 from gripcourse.slips.surroundings import Place, Rewritten, Surroundings
@@ -34,6 +35,7 @@ _OTHER_FUNCTIONS: Final[Mapping[str, tuple[str, ...]]] = {
     "atan": ("asin",),
 }
 _COMPLEMENT: Final[Mapping[str, str]] = {"sin": "cos", "cos": "sin"}
+_CUBED: Final = 3.0
 _POWERS_OF_TEN: Final = (10.0, 0.1, 100.0, 0.01, 1000.0, 0.001)
 
 
@@ -218,12 +220,15 @@ def _power(around: Surroundings) -> Iterator[Rewritten]:
     def change(node: Node) -> Iterator[Found]:
         place = f"{node.span[0]}"
         match node:
-            case Operation("**", base, _):
+            case Operation("**", base, power):
                 yield base, (place, {})
+                if isinstance(power, Number) and power.value == _CUBED:
+                    yield Operation("**", base, number(2.0)), (f"{place},2", {})
             case Call("sqrt", (body,)):
                 yield body, (place, {})
             case Call("cbrt", (body,)):
                 yield Call("sqrt", (body,)), (place, {})
+                yield body, (f"{place},body", {})
             case Call("hypot", (one, other)):
                 yield Operation("+", one, other), (place, {})
             case Call("sin" | "cos" | "tan"):
@@ -323,5 +328,8 @@ GENERATORS: Final[Mapping[SlipKind, Generator]] = MappingProxyType(
         SlipKind.MASS_FOR_WEIGHT: mass_for_weight,
         SlipKind.RING_FOR_CIRCLE: ring_for_circle,
         SlipKind.COUNTED_TWICE: counted_twice,
+        SlipKind.BRACKETS: brackets_left_out,
+        SlipKind.RATIO_FOR_ANGLE: ratio_for_angle,
+        SlipKind.ADDED_FOR_MULTIPLIED: added_for_multiplied,
     }
 )

@@ -31,6 +31,9 @@ def made(text: str, kind: ForeignMistake, known: frozenset[str] = frozenset()) -
         ("2*a", ForeignMistake.FACTOR, "a"),
         ("pi*diameter**2", ForeignMistake.RADIUS, "pi * (diameter * 0.5) ** 2"),
         ("max(a, b)", ForeignMistake.MEAN, "mean(a, b)"),
+        ("a + atan(b/c)", ForeignMistake.RATIO, "a + b / c * 0.017453292519943295"),
+        ("a*(b + c)", ForeignMistake.BRACKETS, "a * b + c"),
+        ("cos(b)/(c*(d + e))", ForeignMistake.BRACKETS, "cos(b) / c * (d + e)"),
         ("lookup('t.c', d)", ForeignMistake.TABLE_ROW, "lookup_row_after('t.c', d)"),
     ],
 )

@@ -6,9 +6,10 @@ from dataclasses import replace
 import pytest
 
 from gripcourse.course.model import Course
-from gripcourse.grading.model import Flag, FlagCode
+from gripcourse.grading.model import Against, Flag, FlagCode, Outcome
 from gripcourse.policy.model import Policy
 from gripcourse.simulation.cohort import make_classroom
+from gripcourse.simulation.foreign.costs import Uncharged, why_uncharged
 from gripcourse.simulation.foreign.judge import judge_foreign
 from gripcourse.simulation.foreign.kinds import Doing
 from gripcourse.simulation.foreign.measures import evaluate_foreign
@@ -70,3 +71,46 @@ def test_two_cohorts_are_counted_together(judged: Sequence[JudgedForeign], mix: 
     assert both.by_kind == whole.by_kind
     doings = {one.work.doing for one in judged}
     assert {Doing.HONEST, Doing.MISTAKE} <= doings
+
+
+def test_a_wrong_number_that_is_paid_for_is_no_miss_that_may_be(
+    judged: Sequence[JudgedForeign], mix: Mix
+) -> None:
+    paid = [_settled(one, Outcome.CORRECT) for one in judged]
+    wrong = [one for one in paid if why_uncharged(one) is Uncharged.PAID]
+    assert wrong
+    assert all(one.work.done is not None for one in wrong)
+    found = evaluate_foreign(paid, mix)
+    assert "uncharged_paid" in found.missed
+    assert {one.work.student for what, one in found.misses if what == "paid"} <= {
+        one.work.student for one in wrong
+    }
+
+
+def test_a_mistake_costs_nothing_more_for_one_of_four_reasons(
+    judged: Sequence[JudgedForeign],
+) -> None:
+    one = next(
+        one for one in judged if why_uncharged(_settled(one, Outcome.CORRECT)) is Uncharged.PAID
+    )
+    assert why_uncharged(one) is None, "it did cost"
+    rough = _settled(one, Outcome.ROUGH)
+    assert why_uncharged(rough) is Uncharged.ROUGH
+    right = _settled(one, Outcome.CORRECT)
+    sizes = replace(right, work=replace(right.work, decisions=right.work.reaches))
+    assert why_uncharged(sizes) is Uncharged.SOUND
+    printed = _settled(one, Outcome.CORRECT, Against.PRINTED)
+    assert why_uncharged(printed) is Uncharged.SOUND
+    blank = replace(right, work=replace(right.work, cells={}))
+    assert why_uncharged(blank) is Uncharged.BLANK
+
+
+def _settled(
+    one: JudgedForeign, outcome: Outcome, against: Against = Against.REFERENCE
+) -> JudgedForeign:
+    """Return a work all of whose answers earn all points by one outcome."""
+    findings = tuple(
+        replace(found, outcome=outcome, against=against, points=found.max_points)
+        for found in one.report.findings
+    )
+    return replace(one, report=replace(one.report, findings=findings))

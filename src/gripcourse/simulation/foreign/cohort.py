@@ -6,6 +6,7 @@ from typing import Final
 import numpy as np
 
 from gripcourse.batch.one_file import GradingContext
+from gripcourse.course.quantity import Kind
 from gripcourse.simulation.behaviour import drawn
 from gripcourse.simulation.foreign.kinds import (
     BLANK,
@@ -22,6 +23,7 @@ from gripcourse.solver.plan import Plan, plan_of
 from gripcourse.variants.model import Issued
 
 _COPIES: Final = frozenset({Doing.COPY, Doing.MOVED_COPY, Doing.MIXTURE, Doing.STOLEN_FILE})
+_DECIDED: Final = frozenset({Kind.CHOICE, Kind.VERDICT})
 _NEEDED: Final = {Doing.MIXTURE: 2}
 
 
@@ -89,6 +91,7 @@ def work_of(
         done=done,
         reaches=reaches,
         shown=_shown(plan, reaches, cells),
+        decisions=frozenset(one.id for one in plan.answered if one.kind in _DECIDED),
         calculated=calculated,
         cells=cells,
         sources=sources,

@@ -21,6 +21,7 @@ _ENDS: Final = (("_min", "_max"), ("_open", "_closed"), ("_open", "_at_max"), ("
 _OTHER_FUNCTION: Final = {"sin": "cos", "cos": "sin", "tan": "sin"}
 _OF_ANGLES: Final = frozenset({"sin", "cos", "tan"})
 _ANGLES: Final = frozenset({"asin", "acos", "atan", "atan2"})
+_GROUP: Final = re.compile(r"(?<!\w)\(")  # brackets that are no function's
 _READ: Final = frozenset({"lookup", "interpolate"})
 _LEAST_FACTOR: Final = 2  # digits that two can be exchanged in
 
@@ -40,6 +41,8 @@ def distorted(
         return list(_rewritten(tree, _efficiency))
     if kind is ForeignMistake.RANGE_END:
         return list(_rewritten(tree, lambda node: _other_end(node, known)))
+    if kind is ForeignMistake.BRACKETS:
+        return list(_without_brackets(tree))
     if kind is ForeignMistake.INPUT_UNIT:
         return list(_rewritten(tree, lambda node: _input_unit(node, lengths)))
     change = _CHANGES.get(kind)
@@ -154,6 +157,35 @@ def _input_unit(node: ast.expr, lengths: AbstractSet[str]) -> Iterator[ast.expr]
             yield _times(node, 1 / _THOUSAND)
 
 
+def _ratio(node: ast.expr) -> Iterator[ast.expr]:
+    """The angle's own function is forgotten, and its ratio written down as degrees."""
+    match node:
+        case ast.Call(ast.Name("asin" | "acos" | "atan"), [ratio]):
+            yield _times(ratio, 1 / _DEGREES)
+        case ast.Call(ast.Name("atan2"), [rise, run]):
+            yield _times(ast.BinOp(rise, ast.Div(), run), 1 / _DEGREES)
+
+
+def _without_brackets(tree: ast.expr) -> Iterator[ast.expr]:
+    """Yield what is computed where a pair of brackets is not keyed in."""
+    text = ast.unparse(tree)
+    for found in _GROUP.finditer(text):
+        last = _closing(text, found.start())
+        flat = f"{text[: found.start()]}{text[found.end() : last]}{text[last + 1 :]}"
+        other = ast.parse(flat, mode="eval").body
+        if ast.dump(other) != ast.dump(tree):
+            yield other
+
+
+def _closing(text: str, first: int) -> int:
+    depth = 0
+    for place in range(first, len(text)):
+        depth += (text[place] == "(") - (text[place] == ")")
+        if not depth:
+            return place
+    raise ValueError(text)
+
+
 _CHANGES: Final = {
     ForeignMistake.DEGREES: _degrees,
     ForeignMistake.FACTOR: _factor,
@@ -163,6 +195,7 @@ _CHANGES: Final = {
     ForeignMistake.MEAN: _mean,
     ForeignMistake.TABLE_ROW: _row,
     ForeignMistake.FUNCTION: _function,
+    ForeignMistake.RATIO: _ratio,
 }
 
 

@@ -34,6 +34,8 @@ class ForeignMistake(StrEnum):
     MEAN = "mean"  # for the greater or the lesser
     TABLE_ROW = "table_row"  # the neighbouring row of a catalogue
     FUNCTION = "function"  # sine for cosine
+    RATIO = "ratio"  # the arctangent forgotten
+    BRACKETS = "brackets"  # not keyed in
     UNIT = "unit"  # an answer a thousand times too large or too small: mm and m, N and kN
     INPUT_UNIT = "input_unit"  # the same of a number that goes into one formula
 
@@ -78,6 +80,8 @@ MISTAKES: Final[Mapping[ForeignMistake, MistakeKind]] = MappingProxyType(
         ForeignMistake.MEAN: _kind(2, "", _OWN),
         ForeignMistake.TABLE_ROW: _kind(4, "other_row", _OWN),
         ForeignMistake.FUNCTION: _kind(4, "wrong_function", _OWN),
+        ForeignMistake.RATIO: _kind(2, "ratio_for_angle", _OWN),
+        ForeignMistake.BRACKETS: _kind(4, "brackets multiplied_for_divided", _OWN),
         ForeignMistake.UNIT: _kind(7, "unit power_of_ten", _TEN),
         ForeignMistake.INPUT_UNIT: _kind(5, "input_unit unit power_of_ten", _TEN),
     }

@@ -5,7 +5,15 @@ from collections.abc import Set as AbstractSet
 from dataclasses import dataclass
 
 from gripcourse.grading.model import Finding, FlagCode, Report
-from gripcourse.simulation.foreign.kinds import MISTAKES, SEEN, Doing, ForeignMistake
+from gripcourse.simulation.foreign.costs import (
+    Uncharged,
+    answers,
+    charged,
+    is_moved,
+    why_uncharged,
+)
+from gripcourse.simulation.foreign.kinds import MISTAKES, Doing, ForeignMistake
+from gripcourse.simulation.foreign.misses import PAID
 from gripcourse.simulation.foreign.model import JudgedForeign
 from gripcourse.simulation.model import Mix
 from gripcourse.simulation.rates import Rate, added
@@ -88,9 +96,10 @@ def evaluate_foreign(judged: Sequence[JudgedForeign], mix: Mix) -> ForeignEvalua
     }
     tests: tuple[tuple[str, Callable[[JudgedForeign], bool]], ...] = (
         ("honest_refused", lambda one: _is_honest(one) and any(_refused(one))),
-        ("charged_more", lambda one: one.work.done is not None and _charged(one) > 1),
+        ("charged_more", lambda one: one.work.done is not None and charged(one) > 1),
         ("misnamed", _is_misnamed),
         ("blamed", _is_blamed),
+        (PAID, lambda one: why_uncharged(one) is Uncharged.PAID),
         ("not_named", lambda one: _has_word(one) and not _is_named(one)),
     )
     return ForeignEvaluation(
@@ -116,19 +125,27 @@ def _rates(judged: Sequence[JudgedForeign], mix: Mix) -> Iterator[tuple[str, Rat
     yield "honest_refused", Rate(sum(refused), len(refused), at_most=required.honest_refused)
     refused = [found for one in coarse for found in _refused(one)]
     yield "coarse_refused", Rate(sum(refused), len(refused))
-    once = [one for one in works if _charged(one) <= 1]
+    once = [one for one in works if charged(one) <= 1]
     yield "charged_once", Rate(len(once), len(works), at_least=required.charged_once)
     spoiling = [one for one in works if len(one.work.reaches) >= _SPOILED]
-    once = [one for one in spoiling if _charged(one) <= 1]
+    once = [one for one in spoiling if charged(one) <= 1]
     yield "charged_once_of_spoiling", Rate(len(once), len(spoiling), at_least=required.charged_once)
     coarse_works = _mistaken(judged, coarse=True)
-    yield "coarse_charged_once", _share(coarse_works, lambda one: _charged(one) <= 1)
-    yield "unseen", _share(works, lambda one: not _charged(one))
+    yield "coarse_charged_once", _share(coarse_works, lambda one: charged(one) <= 1)
+    yield from _uncharged(works)
     yield "misnamed", _share(works, _is_misnamed, at_most=required.misnamed)
     yield "blamed", _share(works, _is_blamed, at_most=required.blamed)
     word = [one for one in works if _has_word(one)]
     yield "named", _share(word, _is_named, at_least=required.named)
     yield from _copies(judged, mix)
+
+
+def _uncharged(works: Sequence[JudgedForeign]) -> Iterator[tuple[str, Rate]]:
+    """Yield why mistakes cost nothing; none may because a wrong number was accepted."""
+    why = [why_uncharged(one) for one in works]
+    for reason in Uncharged:
+        most = 0.0 if reason is Uncharged.PAID else None
+        yield f"uncharged_{reason.value}", Rate(why.count(reason), len(works), at_most=most)
 
 
 def _copies(judged: Sequence[JudgedForeign], mix: Mix) -> Iterator[tuple[str, Rate]]:
@@ -177,7 +194,7 @@ def _share(
 def _by_kind(works: Sequence[JudgedForeign]) -> MistakeRates:
     word = [one for one in works if _has_word(one)]
     return MistakeRates(
-        once=_share(works, lambda one: _charged(one) <= 1),
+        once=_share(works, lambda one: charged(one) <= 1),
         named=_share(word, _is_named) if word else None,
         misnamed=_share(works, _is_misnamed),
         blamed=_share(works, _is_blamed),
@@ -192,27 +209,12 @@ def _is_honest(one: JudgedForeign) -> bool:
     return one.work.doing is Doing.HONEST
 
 
-def _answers(one: JudgedForeign) -> Iterator[Finding]:
-    """Yield what was found out about the cells that are filled."""
-    return (found for found in one.report.findings if found.quantity in one.work.cells)
-
-
 def _refused(one: JudgedForeign) -> Iterator[bool]:
     """Tell of each answer whether it is refused; coarse ones may be called too rough."""
-    for found in _answers(one):
+    for found in answers(one):
         rough = found.outcome.traits.coarse and one.work.habits.coarse
         right = found.outcome.traits.right and not found.outcome.traits.coarse
         yield not (right or rough)
-
-
-def _charged(one: JudgedForeign) -> int:
-    """Return how many answers lost points, other than for being too rough."""
-    lost = (
-        found.points < found.max_points
-        for found in _answers(one)
-        if not found.outcome.traits.coarse
-    )
-    return sum(lost)
 
 
 def _names(found: Finding) -> AbstractSet[object]:
@@ -234,7 +236,7 @@ def _is_right_name(one: JudgedForeign, found: Finding) -> bool:
 
 
 def _named(one: JudgedForeign) -> Iterable[Finding]:
-    return (found for found in _answers(one) if found.outcome.traits.named)
+    return (found for found in answers(one) if found.outcome.traits.named)
 
 
 def _is_misnamed(one: JudgedForeign) -> bool:
@@ -254,7 +256,7 @@ def _is_blamed(one: JudgedForeign) -> bool:
     if done is None:
         return False
     places = {done.root, *one.work.reaches, *one.work.shown}
-    wrong = (found.quantity for found in _answers(one) if found.outcome.traits.mistake)
+    wrong = (found.quantity for found in answers(one) if found.outcome.traits.mistake)
     used = (
         _place_of(found.slip, (found.slip, *found.tied), done.root)
         for found in _named(one)
@@ -287,22 +289,14 @@ def _has_word(one: JudgedForeign) -> bool:
     A number that was used wrongly can be told from two answers that it moves, not from one.
     """
     done = one.work.done
-    if done is None or not MISTAKES[done.kind].names or not _charged(one):
+    if done is None or not MISTAKES[done.kind].names or not charged(one):
         return False
     if USED not in MISTAKES[done.kind].names:
         return bool(one.work.reaches & one.work.cells.keys())
     moved = (
-        found for found in _answers(one) if found.quantity in one.work.reaches and _is_moved(found)
+        found for found in answers(one) if found.quantity in one.work.reaches and is_moved(found)
     )
     return sum(1 for _ in moved) >= _SPOILED
-
-
-def _is_moved(found: Finding) -> bool:
-    """Tell whether an answer is far from what follows from the numbers before it."""
-    right = found.reference if found.expected is None else found.expected
-    if found.given is None or right is None:
-        return False
-    return abs(found.given - right) > SEEN * abs(right)
 
 
 def _is_named(one: JudgedForeign) -> bool:

@@ -83,6 +83,7 @@ class ForeignWork:
         reaches: answers that the mistake itself is in: where it was made, or where a misread or
             miscopied number was used directly.
         shown: answers in which it shows first where what it reaches is blank.
+        decisions: sizes and verdicts, of which another one may be as right.
         calculated: the numbers.
         cells: what stands in them, by id; blank answers are not there.
         sources: students whose numbers were taken over.
@@ -95,6 +96,7 @@ class ForeignWork:
     done: Done | None
     reaches: frozenset[str]
     shown: frozenset[str]
+    decisions: frozenset[str]
     calculated: Calculated
     cells: Mapping[str, float | str]
     sources: tuple[str, ...]
