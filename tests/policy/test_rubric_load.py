@@ -95,23 +95,24 @@ class TestLevels:
 
 
 @pytest.mark.parametrize(
-    ("old", "new", "key", "what", "remedy"),
+    ("old", "new", "key", "said"),
     [
-        ("share = 0.4", "share = 0.5", "line", "add up to 1.1, not to 1", "Change a share"),
-        ("share = 0.4", "", "line[1].share", "This key is missing.", "Write '"),
-        ("share = 0.4", 'share = "most"', "line[1].share", "wrong type", "a number"),
-        ('id = "sizes"', "", "line[1].id", "This key is missing.", "Write '"),
-        ('id = "sizes"', 'id = "Размеры"', "line[1].id", "is no id", "small Latin letters"),
-        ('id = "sizes"', 'id = "points"', "line[1].id", "column of the table", "otherwise"),
-        ('id = "assembly"', 'id = "sizes"', "line[2].id", "Two lines have the id", "of its own"),
-        ("share = 0.4", "shar = 0.4\nshare = 0.4", "line[1].shar", "means nothing", "'share'?"),
-        (', uk = "Креслення загального вигляду"', "", "title.uk", "missing", "en, ru, uk"),
-        ("[[line]]", "[[lines]]", "lines", "This key means nothing here.", "'line'?"),
+        ("share = 0.4", "share = 0.5", "line", ("add up to 1.1, not to 1", "Change a share")),
+        ("share = 0.4", "", "line[1].share", ("This key is missing.", "Write '")),
+        ("share = 0.4", 'share = "most"', "line[1].share", ("wrong type", "a number")),
+        ('id = "sizes"', "", "line[1].id", ("This key is missing.", "Write '")),
+        ('id = "sizes"', 'id = "Размеры"', "line[1].id", ("is no id", "small Latin letters")),
+        ('id = "sizes"', 'id = "points"', "line[1].id", ("column of the table", "otherwise")),
+        ('id = "assembly"', 'id = "sizes"', "line[2].id", ("Two lines have the id", "of its own")),
+        ("share = 0.4", "shar = 0.4\nshare = 0.4", "line[1].shar", ("means nothing", "'share'?")),
+        (', uk = "Креслення загального вигляду"', "", "title.uk", ("missing", "en, ru, uk")),
+        ("[[line]]", "[[lines]]", "lines", ("This key means nothing here.", "'line'?")),
     ],
 )
 def test_a_fault_of_a_rubric_is_told_with_file_and_key(
-    draft: "Draft", sound: Course, old: str, new: str, key: str, what: str, remedy: str
+    draft: "Draft", sound: Course, old: str, new: str, key: str, said: tuple[str, str]
 ) -> None:
+    what, remedy = said
     problems = draft.edit(RUBRIC, old, new).problems_of_policy(sound)
     if old == "[[line]]":  # a line is lost with it, and its share is missing
         assert [problem.key for problem in problems] == ["lines", "line"]
