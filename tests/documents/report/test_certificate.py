@@ -34,10 +34,7 @@ def audited(course: Course, policy: Policy) -> VariantAudit:
     """Variants as they were drawn, and two of them alike."""
     spaces = [one for one in load_spaces(course) if one.scheme in {"screw", "wedge_roller"}]
     variants = draw(course, spaces, 8, 3).variants
-    with pytest.MonkeyPatch.context() as patch:
-        # Most of the time of an audit, and no rule of it.
-        patch.setattr("gripcourse.variants.one_by_one.COUNTED", 2)
-        return audit(course, policy, (*variants, replace(variants[0], id="=twin")), spaces)
+    return audit(course, policy, (*variants, replace(variants[0], id="=twin")), spaces)
 
 
 @pytest.fixture(scope="module")
