@@ -191,22 +191,26 @@ def trials(subject: Subject) -> dict[str, tuple[Trial, ...]]:
 
 @pytest.fixture(scope="session")
 def few_trials(trials: dict[str, tuple[Trial, ...]]) -> dict[str, tuple[Trial, ...]]:
-    """As few of the trials as hold every quantity with each of its formulas, one of every scheme.
+    """As few of the trials as hold every quantity with each of its formulas; some of every scheme.
 
-    What schemes share is tried in one of them; first come the trials with most that is new.
+    What schemes share is tried in one of them. What the fewest trials hold is looked for first, in
+    the trial with most that is new.
     """
     contents = {
         (scheme, place): _formulas_of(trial.plan)
         for scheme, own in trials.items()
         for place, trial in enumerate(own)
     }
-    chosen = {(scheme, 0) for scheme, own in trials.items() if own}
-    left = frozenset[object]().union(*contents.values())
-    left -= frozenset[object]().union(*(contents[one] for one in chosen))
+    holders = Counter(formula for held in contents.values() for formula in held)
+    chosen = set[tuple[str, int]]()
+    left = frozenset(holders)
     while left:
-        best = max(contents, key=lambda one: len(contents[one] & left))
+        rarest = min(left, key=lambda one: (holders[one], str(one)))
+        there = [one for one, held in contents.items() if rarest in held]
+        best = max(there, key=lambda one: len(contents[one] & left))
         chosen.add(best)
         left -= contents[best]
+    assert {scheme for scheme, _ in chosen} == trials.keys()
     return {
         scheme: tuple(trial for place, trial in enumerate(own) if (scheme, place) in chosen)
         for scheme, own in trials.items()

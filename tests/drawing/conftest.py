@@ -1,6 +1,6 @@
 import csv
 from collections import defaultdict
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from functools import cache
 from pathlib import Path
@@ -33,6 +33,9 @@ class Drawn:
     view: GeneralView
 
 
+Solve = Callable[[str], tuple[Plan, Mapping[str, float]]]
+
+
 class Draw(Protocol):
     """The fixture that draws a variant."""
 
@@ -57,8 +60,9 @@ def some_variants() -> list[str]:
     """Of each scheme the smallest, the largest, and one for each option that a view shows."""
     found = []
     for rows in issued().values():
-        chosen, seen = {rows[0]["variant"], rows[-1]["variant"]}, set[tuple[str, str]]()
-        for row in rows:
+        ends = rows[0], rows[-1]
+        chosen, seen = {one["variant"] for one in ends}, set[tuple[str, str]]()
+        for row in (*ends, *rows):
             options = {(name, row[name]) for name in SHOWN_BY_OPTIONS if row.get(name)}
             if options - seen:
                 chosen.add(row["variant"])
@@ -74,6 +78,12 @@ def any_variants() -> list[str]:
 
 
 @pytest.fixture(scope="session")
+def other_language() -> Callable[[str], str]:
+    """Choose a language that a variant is drawn in besides Russian: English or Ukrainian."""
+    return lambda identifier: ("en", "uk")[int(identifier) % 2]
+
+
+@pytest.fixture(scope="session")
 def small_variants() -> list[str]:
     """The smallest variant of each scheme, each a subtest."""
     return [one[0]["variant"] for one in issued().values()]
@@ -86,16 +96,25 @@ def smallest() -> Mapping[str, str]:
 
 
 @pytest.fixture(scope="session")
-def draw(course: Course) -> Draw:
+def solved(course: Course) -> Solve:
+    """Solve a variant of the course's table."""
+    variants = {one.id: one for one in issued_table(course)}
+
+    def find(identifier: str) -> tuple[Plan, Mapping[str, float]]:
+        variant = variants[identifier]
+        plan = make_plan(course, variant.scheme, variant.options)
+        return plan, solve_variant(plan, variant.given)
+
+    return find
+
+
+@pytest.fixture(scope="session")
+def draw(solved: Solve) -> Draw:
     """Draw a variant with long names on its sheet; a drawing in a language is made once."""
-    table = issued_table(course)
-    variants = {one.id: one for one in table}
 
     @cache
     def drawn(identifier: str, language: str = "ru") -> Drawn:
-        variant = variants[identifier]
-        plan = make_plan(course, variant.scheme, variant.options)
-        values = solve_variant(plan, variant.given)
+        plan, values = solved(identifier)
         assert plan.scheme.view is not None
         words = Words(language)
         own = variant_block(plan, identifier, LONG, words)

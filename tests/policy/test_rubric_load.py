@@ -1,5 +1,6 @@
 """The rubrics of a head of course: what a person marks by, and each fault as one problem."""
 
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import pytest
@@ -59,55 +60,60 @@ class TestCredit:
 
 
 class TestLevels:
-    def test_a_line_may_have_levels(self, draft: "Draft") -> None:
+    def test_a_line_may_have_levels(self, draft: "Draft", sound: Course) -> None:
         text = (draft.root / RUBRIC).read_text(encoding="utf-8")
         draft.put(RUBRIC, f"{text}\n{LEVELS}".encode())
-        assert draft.problems() == ()
+        assert draft.problems_of_policy(sound) == ()
 
-    def test_a_level_has_a_credit_and_a_text(self, draft: "Draft") -> None:
+    def test_a_level_has_a_credit_and_a_text(self, draft: "Draft", sound: Course) -> None:
         from gripcourse.policy.load import load_policy  # noqa: PLC0415 (of this test only)
 
         text = (draft.root / RUBRIC).read_text(encoding="utf-8")
         draft.put(RUBRIC, f"{text}\n{LEVELS}".encode())
-        levels = load_policy(draft.load()).rubrics["general_view"].lines[-1].levels
+        levels = (
+            load_policy(replace(sound, root=draft.root)).rubrics["general_view"].lines[-1].levels
+        )
         assert [level.credit for level in levels] == [0, 0.5, 1]
         assert [level.text.of("uk") for level in levels] == ["немає", "частина", "усі"]
         assert all(isinstance(level, Level) for level in levels)
 
-    def test_levels_that_never_earn_the_whole_line_are_refused(self, draft: "Draft") -> None:
+    def test_levels_that_never_earn_the_whole_line_are_refused(
+        self, draft: "Draft", sound: Course
+    ) -> None:
         text = (draft.root / RUBRIC).read_text(encoding="utf-8")
         levels = LEVELS.replace("credit = 1\n", "credit = 0.75\n")
-        problem = draft.put(RUBRIC, f"{text}\n{levels}".encode()).problem()
+        problem = draft.put(RUBRIC, f"{text}\n{levels}".encode()).problem_of_policy(sound)
         assert (problem.file, problem.key) == (RUBRIC, "line[3].level")
         assert str(problem.what) == "No level earns the whole line."
 
-    def test_two_levels_of_one_credit_are_refused(self, draft: "Draft") -> None:
+    def test_two_levels_of_one_credit_are_refused(self, draft: "Draft", sound: Course) -> None:
         text = (draft.root / RUBRIC).read_text(encoding="utf-8")
         levels = LEVELS.replace("credit = 0.5", "credit = 1")
-        problem = draft.put(RUBRIC, f"{text}\n{levels}".encode()).problem()
+        problem = draft.put(RUBRIC, f"{text}\n{levels}".encode()).problem_of_policy(sound)
         assert (problem.file, problem.key) == (RUBRIC, "line[3].level")
         assert str(problem.what) == "Two levels have the credit 1."
 
 
 @pytest.mark.parametrize(
-    ("old", "new", "key", "what", "remedy"),
+    ("old", "new", "key", "said"),
     [
-        ("share = 0.4", "share = 0.5", "line", "add up to 1.1, not to 1", "Change a share"),
-        ("share = 0.4", "", "line[1].share", "This key is missing.", "Write '"),
-        ("share = 0.4", 'share = "most"', "line[1].share", "wrong type", "a number"),
-        ('id = "sizes"', "", "line[1].id", "This key is missing.", "Write '"),
-        ('id = "sizes"', 'id = "Размеры"', "line[1].id", "is no id", "small Latin letters"),
-        ('id = "sizes"', 'id = "points"', "line[1].id", "column of the table", "otherwise"),
-        ('id = "assembly"', 'id = "sizes"', "line[2].id", "Two lines have the id", "of its own"),
-        ("share = 0.4", "shar = 0.4\nshare = 0.4", "line[1].shar", "means nothing", "'share'?"),
-        (', uk = "Креслення загального вигляду"', "", "title.uk", "missing", "en, ru, uk"),
-        ("[[line]]", "[[lines]]", "lines", "This key means nothing here.", "'line'?"),
+        ("share = 0.4", "share = 0.5", "line", ("add up to 1.1, not to 1", "Change a share")),
+        ("share = 0.4", "", "line[1].share", ("This key is missing.", "Write '")),
+        ("share = 0.4", 'share = "most"', "line[1].share", ("wrong type", "a number")),
+        ('id = "sizes"', "", "line[1].id", ("This key is missing.", "Write '")),
+        ('id = "sizes"', 'id = "Размеры"', "line[1].id", ("is no id", "small Latin letters")),
+        ('id = "sizes"', 'id = "points"', "line[1].id", ("column of the table", "otherwise")),
+        ('id = "assembly"', 'id = "sizes"', "line[2].id", ("Two lines have the id", "of its own")),
+        ("share = 0.4", "shar = 0.4\nshare = 0.4", "line[1].shar", ("means nothing", "'share'?")),
+        (', uk = "Креслення загального вигляду"', "", "title.uk", ("missing", "en, ru, uk")),
+        ("[[line]]", "[[lines]]", "lines", ("This key means nothing here.", "'line'?")),
     ],
 )
 def test_a_fault_of_a_rubric_is_told_with_file_and_key(
-    draft: "Draft", old: str, new: str, key: str, what: str, remedy: str
+    draft: "Draft", sound: Course, old: str, new: str, key: str, said: tuple[str, str]
 ) -> None:
-    problems = draft.edit(RUBRIC, old, new).problems()
+    what, remedy = said
+    problems = draft.edit(RUBRIC, old, new).problems_of_policy(sound)
     if old == "[[line]]":  # a line is lost with it, and its share is missing
         assert [problem.key for problem in problems] == ["lines", "line"]
     else:
@@ -128,23 +134,23 @@ def test_a_rubric_without_lines_is_refused_by_validate(draft: "Draft", lines: st
 
 
 @pytest.mark.parametrize("share", ["0", "-0.4", "1.4"])
-def test_a_share_that_is_none_is_refused(draft: "Draft", share: str) -> None:
-    problems = draft.edit(RUBRIC, "share = 0.4", f"share = {share}").problems()
+def test_a_share_that_is_none_is_refused(draft: "Draft", sound: Course, share: str) -> None:
+    problems = draft.edit(RUBRIC, "share = 0.4", f"share = {share}").problems_of_policy(sound)
     assert (problems[0].file, problems[0].key) == (RUBRIC, "line[1].share")
     assert "above 0, at most 1" in str(problems[0].remedy)
 
 
-def test_a_rubric_that_is_no_toml_is_one_problem(draft: "Draft") -> None:
-    problem = draft.put(RUBRIC, b"title = {").problem()
+def test_a_rubric_that_is_no_toml_is_one_problem(draft: "Draft", sound: Course) -> None:
+    problem = draft.put(RUBRIC, b"title = {").problem_of_policy(sound)
     assert problem.file == RUBRIC
     assert "A bracket" in str(problem.what)
 
 
-def test_faults_of_all_rubrics_come_with_those_of_the_policy(draft: "Draft") -> None:
+def test_faults_of_all_rubrics_come_with_those_of_the_policy(draft: "Draft", sound: Course) -> None:
     draft.edit(RUBRIC, "share = 0.4", "share = 0.5")
     draft.edit("grader/rubric/kinematic_diagram.toml", "share = 0.4", "share = 0.3")
     draft.edit("grader/policy.toml", "carried = 1.0", "carried = 2.0")
-    files = [problem.file for problem in draft.problems()]
+    files = [problem.file for problem in draft.problems_of_policy(sound)]
     assert files == [RUBRIC, "grader/rubric/kinematic_diagram.toml", "grader/policy.toml"]
 
 

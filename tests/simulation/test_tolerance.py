@@ -132,7 +132,7 @@ def test_what_a_declaration_allows_is_not_narrowed(found: ToleranceAudit) -> Non
 def test_nothing_is_narrowed_after_few_answers(
     course: Course, policy: Policy, mix: Mix, variants: Sequence[Variant]
 ) -> None:
-    few = audit_tolerances(course, policy, mix, variants[:2], 1)
+    few = audit_tolerances(course, policy, mix, variants[:1], 1)
     for one in few.quantities:
         assert one.proposed.relative >= one.now.relative
         assert one.proposed.absolute >= one.now.absolute

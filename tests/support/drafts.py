@@ -5,7 +5,7 @@ import re
 import shutil
 import tomllib
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache
 from pathlib import Path
 
@@ -69,8 +69,28 @@ class Draft:
         assert len(problems) == 1, [str(one.what) for one in problems]
         return problems[0]
 
+    def problems_of_policy(self, sound: Course) -> tuple[Problem, ...]:
+        """Load the policy of a course whose own files are as they were: every problem of it."""
+        try:
+            load_policy(replace(sound, root=self.root))
+        except CourseError as error:
+            return error.problems
+        return ()
+
+    def problem_of_policy(self, sound: Course) -> Problem:
+        """The only problem of the policy."""
+        problems = self.problems_of_policy(sound)
+        assert len(problems) == 1, [str(one.what) for one in problems]
+        return problems[0]
+
     def load(self) -> Course:
         return load_course(self.root)
+
+
+@pytest.fixture(scope="session")
+def sound(one_scheme: Path) -> Course:
+    """The course that drafts are made from."""
+    return load_course(one_scheme)
 
 
 @pytest.fixture(scope="session")

@@ -1,15 +1,21 @@
 """What stands in the title block and the parts list of a sheet, whatever it says."""
 
+import xml.etree.ElementTree as ET
+from collections.abc import Callable
+from io import BytesIO
 from typing import TYPE_CHECKING
 
 import pytest
+from ezdxf import recover
 
 from gripcourse.drawing.paper.cells import NORMAL
-from gripcourse.drawing.paper.document import new_document
-from gripcourse.drawing.paper.sheet import Notes, block_box, draw_notes, note_lines
+from gripcourse.drawing.paper.document import dxf_bytes, new_document
+from gripcourse.drawing.paper.sheet import A3, Notes, block_box, draw_notes, draw_sheet, note_lines
 from gripcourse.drawing.paper.strokes import Box, box_of
+from gripcourse.drawing.paper.svg import svg_text
 from gripcourse.drawing.paper.text import Point, read_text, text_width
-from gripcourse.text.words import LANGUAGES, Words, message
+from gripcourse.drawing.paper.title_block import TitleBlock
+from gripcourse.text.words import Words, message
 from support.each import each
 
 if TYPE_CHECKING:
@@ -17,23 +23,28 @@ if TYPE_CHECKING:
 
     from conftest import Draw
 
+SVG = "{http://www.w3.org/2000/svg}"
 
-@pytest.mark.parametrize("turn", [0, 1])
+
+@pytest.mark.parametrize("in_russian", [True, False])
 @each("small_variants", "small_variant")
-def test_no_text_of_a_sheet_leaves_its_cell(draw: "Draw", small_variant: str, turn: int) -> None:
+def test_no_text_of_a_sheet_leaves_its_cell(
+    draw: "Draw", small_variant: str, other_language: Callable[[str], str], *, in_russian: bool
+) -> None:
     """The names on it are as long as names are: of sixty letters and more.
 
-    Every scheme in two languages, each language in two schemes of three.
+    Every scheme in Russian, and in one of the other languages.
     """
-    made = draw(small_variant, LANGUAGES[(int(small_variant) + turn) % len(LANGUAGES)]).view
+    made = draw(small_variant, "ru" if in_russian else other_language(small_variant)).view
     sheet = made.arranged.sheet
     table = block_box(sheet, len(made.rows))
     space = made.document.modelspace()
+    around = table.grown(1e-6)
     lines = [
         box_of([(one.dxf.start.x, one.dxf.start.y), (one.dxf.end.x, one.dxf.end.y)])
         for one in space.query("LINE")
     ]
-    grid = [one for one in lines if table.grown(1e-6).joined(one) == table.grown(1e-6)]
+    grid = [one for one in lines if around.joined(one) == around]
     texts = [one for one in space.query("TEXT") if table.overlaps(box_of([point_of(one)]))]
     assert len(texts) > 20
     for one in texts:
@@ -41,6 +52,19 @@ def test_no_text_of_a_sheet_leaves_its_cell(draw: "Draw", small_variant: str, tu
         assert table.joined(box) == table, read_text(one)
         assert not [line for line in grid if line.overlaps(box)], read_text(one)
     assert not [one for one in texts if "…" in one.dxf.text]
+
+
+@pytest.mark.parametrize("name", ['<b>&"', "%%c", r"\P{x}", "{", "^J", "Їжаченко-Шульга О. О."])
+def test_any_student_can_be_written_into_the_title_block(name: str) -> None:
+    block = TitleBlock("011 GA", "gripper", "General arrangement", student=name)
+    made = new_document("uk")
+    draw_sheet(made.modelspace(), A3, block, "1:1", Words("uk"))
+    svg = svg_text(made, A3.width, A3.height, name)
+    texts = [one.text for one in ET.fromstring(svg).iter(f"{SVG}text")]  # noqa: S314 - our own drawing
+    assert name in texts
+    document, audit = recover.read(BytesIO(dxf_bytes(made)))
+    assert not audit.errors
+    assert name in [read_text(one) for one in document.modelspace().query("TEXT")]
 
 
 def point_of(one: "Text") -> Point:

@@ -8,32 +8,33 @@ import shapely
 from gripcourse.course.view import Face
 from gripcourse.drawing.paper.document import LineKind
 from gripcourse.drawing.paper.strokes import points_of
+from gripcourse.drawing.view.contents import figure
 from gripcourse.drawing.view.numbers import numbers_at
 
 if TYPE_CHECKING:
-    from conftest import Draw
+    from conftest import Solve
 
 PRISMS = ("005", "024", "040", "051", "061")
 OTHERS = ("010", "023", "049", "021", "011")  # concave, convex, convex, flat, crossed
 
 
-def gap(draw: "Draw", identifier: str) -> tuple[float, float]:
+def gap(solved: "Solve", identifier: str) -> tuple[float, float]:
     """The distance from the object's middle to the nearest edge of the jaws, and its radius."""
-    drawn = draw(identifier)
-    radius = drawn.values["diameter_min"] / 2
-    view = drawn.plan.scheme.view
+    plan, values = solved(identifier)
+    radius = values["diameter_min"] / 2
+    view = plan.scheme.view
     assert view is not None
-    numbers = numbers_at(drawn.plan, view, drawn.values, view.position)
+    numbers = numbers_at(plan, view, values, view.position)
     middle = float(numbers.values["object_x"]) * 1000
     lines = [
         shapely.LineString(points_of(one.stroke))
-        for one in drawn.view.figure.seen[Face.MAIN]
+        for one in figure(plan, view, values).seen[Face.MAIN]
         if one.kind is LineKind.OUTLINE
     ]
     return min(shapely.distance(shapely.Point(middle, 0), one) for one in lines), radius
 
 
 @pytest.mark.parametrize("identifier", [*PRISMS, *OTHERS])
-def test_the_jaws_touch_the_smallest_object(draw: "Draw", identifier: str) -> None:
-    found, radius = gap(draw, identifier)
+def test_the_jaws_touch_the_smallest_object(solved: "Solve", identifier: str) -> None:
+    found, radius = gap(solved, identifier)
     assert found == pytest.approx(radius, rel=0.01)
