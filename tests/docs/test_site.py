@@ -3,7 +3,7 @@
 import subprocess
 from pathlib import Path
 
-from documentation import DEAR, gather_pages, sphinx_command
+from documentation import DEAR, REPOSITORY, gather_pages, sphinx_command
 
 
 def put_together(pages: Path, site: Path) -> subprocess.CompletedProcess[str]:
@@ -29,3 +29,25 @@ def test_a_link_that_leads_nowhere_is_noticed(tmp_path: Path) -> None:
     done = put_together(tmp_path, tmp_path / "site")
     assert done.returncode != 0
     assert "gone.md" in done.stderr
+
+
+def test_what_scrolls_is_reached_by_keyboard_and_the_menu_has_levels(tmp_path: Path) -> None:
+    """As WCAG 2.1.1 and 4.1.2 want it; the theme alone does neither."""
+    pages, site = tmp_path / "pages", tmp_path / "site"
+    pages.mkdir()
+    (tmp_path / "extra").mkdir()
+    (pages / "conf.py").write_bytes((REPOSITORY / "docs" / "conf.py").read_bytes())
+    (pages / "next.md").write_text("# Next\n", encoding="utf-8")
+    (pages / "index.md").write_text(
+        "# Page\n\n```{toctree}\n:caption: Begin\nnext\n```\n\n```toml\na = 1\n```\n\n"
+        "| a |\n|---|\n| b |\n",
+        encoding="utf-8",
+    )
+    done = subprocess.run(  # noqa: S603 (ours)
+        sphinx_command("html", pages, site), capture_output=True, text=True, check=False
+    )
+    assert (done.returncode, done.stderr) == (0, "")
+    page = (site / "index.html").read_text(encoding="utf-8")
+    assert page.count('role="heading"') == page.count('role="heading" aria-level="2"') > 0
+    assert page.count("<pre") == page.count('<pre tabindex="0"') == 1
+    assert page.count("table-wrapper") == page.count('<div tabindex="0" class="table-wrapper') == 1

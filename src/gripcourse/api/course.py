@@ -1,12 +1,14 @@
 """A course in the hands of a program: each call is one use case."""
 
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from datetime import UTC, date, datetime
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from gripcourse.api.choices import chosen_convention, chosen_language, from_one, today_here
+from gripcourse.api.choices import a_day, a_name, a_text, nothing, today_here, whole_number
+from gripcourse.api.choices import chosen_convention as convention_of
+from gripcourse.api.choices import chosen_language as language_of
 from gripcourse.api.make_results import (
     check_result,
     issue_result,
@@ -44,10 +46,6 @@ if TYPE_CHECKING:
 # ruff: noqa: PLC0415
 
 
-def nothing(_: object) -> None:
-    """Show no progress."""
-
-
 @dataclass(frozen=True, slots=True)
 class Course:
     """A course that can be used, with its policy; `Course.load` makes it.
@@ -58,8 +56,8 @@ class Course:
         language: of the sentences and titles in results: `en`, `ru` or `uk`.
     """
 
-    definition: Definition
-    policy: Policy
+    definition: Definition = field(repr=False)
+    policy: Policy = field(repr=False)
     language: str
 
     @classmethod
@@ -77,7 +75,7 @@ class Course:
         """
         definition = load_course(course_root(None if folder is None else path_of(folder)))
         return cls(
-            definition, load_policy(definition), chosen_language(language or definition.language)
+            definition, load_policy(definition), language_of(language or definition.language)
         )
 
     @property
@@ -97,7 +95,7 @@ class Course:
 
     def speaking(self, language: str) -> "Course":
         """Return the same course with results in another language."""
-        return replace(self, language=chosen_language(language))
+        return replace(self, language=language_of(language))
 
     def validate(self) -> ProblemsResult:
         """Check the folder of the course as it is now; see `gripcourse.validate`."""
@@ -136,7 +134,8 @@ class Course:
         """
         from gripcourse.usecases.solving.variants import draw_variants
 
-        drawn = draw_variants(self.definition, from_one(count), seed, scheme, freely=freely)
+        count, seed = whole_number("count", count, 1), whole_number("seed", seed, 0)
+        drawn = draw_variants(self.definition, count, seed, scheme, freely=freely)
         if out is not None:
             write_table(path_of(out), drawn.variants, self.definition)
         return variants_result(drawn.variants, drawn.tallies)
@@ -192,8 +191,9 @@ class Course:
         """
         from gripcourse.usecases.solving.solve import solve_scheme
 
-        wanted = chosen_convention(convention)
-        solved = solve_scheme(self.definition, scheme, given or {}, options or {}, wanted)
+        wanted = convention_of(convention)
+        named = {name: a_text("options", choice) for name, choice in (options or {}).items()}
+        solved = solve_scheme(self.definition, scheme, given or {}, named, wanted)
         return solution_result(solved, self.words)
 
     def solved(
@@ -203,8 +203,8 @@ class Course:
         from gripcourse.usecases.solving.solve import solve_from_table
 
         variants = read_table(self.table_source(table), self.definition)
-        wanted = chosen_convention(convention)
-        return solve_from_table(self.definition, variants, variant, wanted)
+        wanted = convention_of(convention)
+        return solve_from_table(self.definition, variants, a_text("variant", variant), wanted)
 
     @refusals_said
     def issue(  # noqa: PLR0913 (all but two are for those who need them)
@@ -240,10 +240,11 @@ class Course:
             roster=readable(roster, "roster"),
             table=self.table_source(table),
             out=path_of(out),
-            today=today or today_here(),
-            deadline=deadline,
+            today=a_day("today", today) or today_here(),
+            deadline=a_day("deadline", deadline),
             link_days=link_days,
         )
+        workers = whole_number("workers", workers, 0)
         issuing = issue_order(self.definition, self.policy, order, workers, on_done)
         return issue_result(issuing, self.words)
 
@@ -262,15 +263,13 @@ class Course:
             who: id of who is signed in, as the server knows it; the workbook could name anybody.
 
         Raises:
-            GripcourseError: a file that is named cannot be read, or the ledger cannot be written.
-            ValueError: there is a ledger and nobody is named.
+            GripcourseError: a file that is named cannot be read, or the ledger cannot be written,
+                or there is a ledger and nobody is named.
         """
         from gripcourse.gradebook.checks import CheckLedger
         from gripcourse.usecases.grading.check import check_file
 
-        if ledger is not None and not who:
-            raise ValueError(who)
-        counted = None if ledger is None else CheckLedger(path_of(ledger), who)
+        counted = None if ledger is None else CheckLedger(path_of(ledger), a_name("who", who))
         source = read(workbook, "workbook")
         try:
             checked = check_file(source, self.definition, self.policy, ledger=counted)
@@ -281,7 +280,7 @@ class Course:
     @refusals_said
     def grade(  # noqa: PLR0913 (all but the first are for those who need them)
         self,
-        files: Iterable[FileLike],
+        files: FileLike | Iterable[FileLike],
         *,
         out: str | Path | None = None,
         gradebook: str | Path | None = None,
@@ -296,7 +295,7 @@ class Course:
         """Grade workbooks against what was issued from this course.
 
         Args:
-            files: paths of files and folders, or bytes with their names.
+            files: paths of files and folders, or bytes with their names; or one of them.
             out: folder to write reports, the cohort summary and grades to; None to write nothing.
             gradebook: path or database URL, to keep the attempts in and to take the marks of
                 persons from; None for none.
@@ -322,7 +321,8 @@ class Course:
         from gripcourse.usecases.marks.gradebook import keep
         from gripcourse.usecases.marks.opening import as_wished, grading_of
 
-        day, folder = graded_on or today_here(), None if out is None else path_of(out)
+        day = a_day("graded_on", graded_on) or today_here()
+        folder, workers = None if out is None else path_of(out), whole_number("workers", workers, 0)
         sources, others = workbooks(files)
         wish = BatchWish(
             whose=tuple(f"{file}={student}" for file, student in (whose or {}).items()),
@@ -341,8 +341,8 @@ class Course:
             reports = write_results(
                 graded, context, folder, day, workers, nothing, passed_over=others
             ).reports
-        incidents = [one.incident for one in graded if one.incident]
-        return batch_result(reports, self.words, context, others, incidents)
+        failed = [one.incident for one in graded if one.incident]
+        return batch_result(reports, self.words, context, others, failed)
 
     def table_source(self, table: FileLike | None) -> Path | NamedBytes:
         """Return the table that is meant: the named one, else the course's main one."""

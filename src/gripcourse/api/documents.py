@@ -5,7 +5,7 @@ from datetime import date
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from gripcourse.api.choices import today_here
+from gripcourse.api.choices import a_day, today_here
 from gripcourse.api.course import Course
 from gripcourse.api.refusals import refusals_said
 from gripcourse.api.sources import FileLike, path_of
@@ -100,7 +100,7 @@ def audit_variants(
     """Audit a table of variants; write its certificate and numbers into a folder."""
     from gripcourse.usecases.solving.audit import audit_table
 
-    day, folder = today or today_here(), path_of(out)
+    day, folder = a_day("today", today) or today_here(), path_of(out)
     return audit_table(course.definition, course.table_source(table), folder, course.words, day)
 
 

@@ -5,6 +5,7 @@ from datetime import UTC, datetime
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from gripcourse.api.choices import a_text
 from gripcourse.api.course import Course
 from gripcourse.api.refusals import refusals_said
 from gripcourse.api.sources import FileLike, place_of, readable
@@ -85,5 +86,7 @@ def trace(
         if table is None
         else tracing.in_table(course.table_source(table), course.definition)
     )
-    named = list((quantities or {}).items())
-    return tracing.trace(list(numbers), named, course.definition, sought)
+    named = [(name, a_text("quantities", one)) for name, one in (quantities or {}).items()]
+    return tracing.trace(
+        [a_text("numbers", one) for one in numbers], named, course.definition, sought
+    )

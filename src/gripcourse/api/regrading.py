@@ -7,7 +7,8 @@ from datetime import UTC, datetime
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from gripcourse.api.course import Course, nothing
+from gripcourse.api.choices import nothing, whole_number
+from gripcourse.api.course import Course
 from gripcourse.api.refusals import refusals_said
 from gripcourse.api.sources import FileLike, place_of, workbooks
 
@@ -27,7 +28,7 @@ if TYPE_CHECKING:
 @refusals_said
 def regrade(  # noqa: PLR0913 (the last ones are what everybody leaves as they are)
     course: Course,
-    files: Iterable[FileLike],
+    files: FileLike | Iterable[FileLike],
     gradebook: str | Path,
     *,
     whose: Mapping[str, str] | None = None,
@@ -59,6 +60,7 @@ def regrade(  # noqa: PLR0913 (the last ones are what everybody leaves as they a
     from gripcourse.usecases.marks.regrade import regrade as ask
     from gripcourse.usecases.marks.whose import read_whose
 
+    workers = whole_number("workers", workers, 0)
     sources, _ = workbooks(files)
     context = grading_of(course.definition, course.policy)
     pairs = [f"{file}={student}" for file, student in (whose or {}).items()]

@@ -6,6 +6,7 @@ under `schema`: the number grows when a key changes its meaning or goes, not whe
 """
 
 import inspect
+import math
 import re
 from collections.abc import Callable, Mapping
 from dataclasses import MISSING, Field, fields, is_dataclass
@@ -121,9 +122,12 @@ def _read_scalar(kind: Any, plain: Any, place: str, problems: list[Problem]) -> 
         return _refuse(place, wanted, problems)
     read: Callable[[Any], Any] = getattr(kind, "fromisoformat", kind)
     try:
-        return read(plain)
+        found = read(plain)
     except (ValueError, OverflowError):
         return _refuse(place, wanted, problems)
+    # What JSON does not have, Python writes and reads all the same.
+    endless = isinstance(found, float) and not math.isfinite(found)
+    return _refuse(place, wanted, problems) if endless else found
 
 
 def _read_fields(kind: Any, plain: Any, place: str, problems: list[Problem]) -> Any:  # noqa: ANN401

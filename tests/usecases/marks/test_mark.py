@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 from datetime import UTC, date, datetime, timedelta
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import pytest
 
@@ -17,6 +17,7 @@ from gripcourse.gradebook.enter import Draft
 from gripcourse.grading.model import Finding, Outcome, Report
 from gripcourse.usecases.grading.grade import GradingOutcome as Batch
 from gripcourse.usecases.grading.grade import write_results
+from gripcourse.usecases.marks import gradebook
 from gripcourse.usecases.marks.gradebook import keep
 from gripcourse.usecases.marks.mark import (
     Marking,
@@ -263,3 +264,22 @@ def test_nobodys_file_makes_no_gradebook(issued: "Classroom", tmp_path: Path) ->
     (report,) = office.grade([stranger]).values()
     assert not report.judged
     assert not Path(office.place).exists()
+
+
+def test_what_somebody_else_keeps_meanwhile_is_found_there(
+    office: Office, files: list[Path], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Two batches of the same works at once: the second has read the gradebook before the first."""
+    graded = [Graded(grade_file(one, office.context), "") for one in files]
+    place, read = str(tmp_path / "both.sqlite"), gradebook._known
+
+    def overtaken(*asked: Any) -> Any:  # noqa: ANN401 (as it is)
+        monkeypatch.setattr(gradebook, "_known", read)
+        found = read(*asked)
+        keep(graded, office.context, place, NOW)
+        return found
+
+    monkeypatch.setattr(gradebook, "_known", overtaken)
+    kept = keep(graded, office.context, place, NOW)
+    assert [one.report.findings for one in kept] == [one.report.findings for one in graded]
+    assert len(existing_gradebook(place).attempts({"s01", "s02"})) == len(graded)

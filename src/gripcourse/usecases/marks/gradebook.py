@@ -163,8 +163,11 @@ def _kept(
     known, undone = _known(keeping, students), book.undone()
     told = told_works(keeping.told, known)
     before = works_of(one for one in known if one.regrade not in undone)
-    added = book.add_attempts(_to_add(attempts, told, before), known)
-    known = (*known, *added)
+    to_add = _to_add(attempts, told, before)
+    known = (*known, *book.add_attempts(to_add, known))
+    if not {(one.student, one.digest) for one in to_add} <= {(a.student, a.digest) for a in known}:
+        # Somebody else kept the same works since these were read.
+        known = _known(keeping, students)
     entries: dict[str, list[GradebookEntry]] = defaultdict(list)
     for entry in book.entries(students, known):
         entries[entry.mark.student].append(entry)

@@ -4,6 +4,7 @@ import math
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import SupportsFloat
 
 from gripcourse.course.model import Course
 from gripcourse.course.quantity import Convention, Kind, Quantity
@@ -13,6 +14,7 @@ from gripcourse.machine.files import replacing, write_bytes
 from gripcourse.solver.plan import Plan, default_options, make_plan, plan_of, usual_values
 from gripcourse.solver.solve import solve_variant
 from gripcourse.text.number_reading import Unreadable, read_number
+from gripcourse.text.shown import shown
 from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.units import unit_text
 from gripcourse.text.words import LANGUAGES, Message, Texts, Words, message
@@ -181,14 +183,14 @@ def _values(plan: Plan, given: Mapping[str, float | str]) -> dict[str, float]:
     problems: list[Problem] = []
     settable = {n: q for n, q in plan.quantities.items() if q.kind is not Kind.MANUAL}
     for name, written in given.items():
-        read = read_number(written) if isinstance(written, str) else written
+        read = read_number(written) if isinstance(written, str) else _as_float(written)
         if name not in settable:
             what = message("The scheme has no quantity '{name}'.", name=name)
             problems.append(_unusable(name, what, did_you_mean(name, settable)))
-        elif isinstance(read, int | float):
-            values[name] = float(read)
-        elif isinstance(read, Unreadable) or read.unit:
-            what = message("'{text}' is not a number.", text=str(written))
+        elif isinstance(read, float):
+            values[name] = read
+        elif read is None or isinstance(read, Unreadable) or read.unit:
+            what = message("'{text}' is not a number.", text=shown(str(written)))
             remedy = message("Write a plain number in {unit}.", unit=_unit(settable[name]))
             problems.append(_unusable(name, what, remedy))
         else:
@@ -196,6 +198,16 @@ def _values(plan: Plan, given: Mapping[str, float | str]) -> dict[str, float]:
     if problems:
         raise UsageError(problems)
     return values
+
+
+def _as_float(written: object) -> float | None:
+    """Return a number of any kind, of numpy's and exact ones too; None for what is none."""
+    if isinstance(written, bool) or not isinstance(written, SupportsFloat):
+        return None
+    try:
+        return float(written)
+    except (OverflowError, TypeError, ValueError):
+        return None
 
 
 def _unit(quantity: Quantity) -> Texts:
