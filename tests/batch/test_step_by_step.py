@@ -116,17 +116,26 @@ def test_a_batch_that_came_in_steps_ends_as_one_that_came_at_once(
 RULES: Final = (None, *(AttemptRule(counts, 0) for counts in Counts))
 
 
+@pytest.fixture(scope="module")
+def graded_steps(room: Room) -> list[tuple[Graded, ...]]:
+    """What each step comes to by itself, the last one twice: which attempt counts is said later."""
+    handed = list(steps(room, random.Random(5)))  # noqa: S311
+    return [room.grade(files, None) for files in (*handed, handed[-1])]
+
+
 @pytest.mark.parametrize("rule", RULES, ids=str)
 def test_results_that_are_not_read_again_change_nothing(
-    room: Room, tmp_path: Path, rule: AttemptRule | None, monkeypatch: pytest.MonkeyPatch
+    room: Room,
+    graded_steps: list[tuple[Graded, ...]],
+    tmp_path: Path,
+    rule: AttemptRule | None,
+    monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     """Of two gradebooks the results of one are always read; some are marked, some were told."""
     context = replace(room.context, policy=replace(room.context.policy, attempts=rule))
     ruled = replace(room, context=context)
     books = [tmp_path / name for name in ("unread.sqlite", "read.sqlite")]
-    handed = list(steps(room, random.Random(5)))  # noqa: S311
-    for number, files in enumerate([*handed, handed[-1]]):
-        graded = ruled.grade(files, None)
+    for number, graded in enumerate(graded_steps):
         made = []
         for place in books:
             with monkeypatch.context() as patch:
