@@ -13,8 +13,6 @@ from gripcourse.errors import UsageError
 from gripcourse.policy.load import load_policy, policy_path, read_policy
 from gripcourse.policy.model import Policy
 from gripcourse.simulation.tolerance import ToleranceAudit
-from gripcourse.text.words import Words
-from gripcourse.usecases.authoring.init import init_course
 from gripcourse.usecases.authoring.validate import all_problems
 from gripcourse.usecases.measuring.tolerance import (
     ToleranceSample,
@@ -50,9 +48,7 @@ def belts() -> tuple[Course, Policy]:
 @pytest.fixture(scope="module")
 def narrow(tmp_path_factory: pytest.TempPathFactory) -> tuple[Course, Policy, ToleranceAudit]:
     """An audit of issued variants under a policy that refuses honest answers, once."""
-    root = tmp_path_factory.mktemp("narrow") / "course"
-    init_course(root, bytes(range(32)), Words("en"))
-    own = load_course(root)
+    own = load_course(Path(shutil.copytree(BELTS, tmp_path_factory.mktemp("narrow") / "course")))
     path = policy_path(own.root)
     text = path.read_text(encoding="utf-8").replace("relative = 0.01\n", "relative = 0.0001\n", 1)
     path.write_text(text, encoding="utf-8")
