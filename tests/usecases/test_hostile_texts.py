@@ -18,7 +18,7 @@ from openpyxl import load_workbook
 
 from gripcourse.cli.grading_text import grading_text
 from gripcourse.cli.text import issuing_text
-from gripcourse.course.model import Course
+from gripcourse.course.load import load_course
 from gripcourse.documents.handout_list import handout_document
 from gripcourse.documents.kind import SampleDocument
 from gripcourse.documents.kinds import assignment, cohort, student
@@ -30,7 +30,8 @@ from gripcourse.drawing.view.general_view import general_view
 from gripcourse.errors import Problem
 from gripcourse.exports.grades import grades_text
 from gripcourse.grading.model import Flag, FlagCode, Report
-from gripcourse.policy.model import Policy, Reveal
+from gripcourse.policy.load import load_policy
+from gripcourse.policy.model import Reveal
 from gripcourse.solver.solve import solve_variant
 from gripcourse.text.shown import one_line, shown
 from gripcourse.text.words import Words, message
@@ -97,8 +98,10 @@ class Page(HTMLParser):
 
 
 @pytest.fixture(scope="module")
-def plain(course: Course, policy: Policy) -> SampleDocument:
-    return next(samples(course, policy, (), Words("en")))
+def plain() -> SampleDocument:
+    """Of the second course, whose pages are filled and works judged in less time."""
+    course = load_course(REPOSITORY / "examples" / "belt_drive")
+    return next(samples(course, load_policy(course), (), Words("en")))
 
 
 @pytest.fixture(scope="module", params=TEXTS.values(), ids=TEXTS)
