@@ -14,14 +14,14 @@ import pytest
 from gripcourse.batch.kept_reports import KeptReports
 from gripcourse.batch.one_file import GradingContext, judge_read
 from gripcourse.batch.run import Graded, grade_files
-from gripcourse.course.model import Course
+from gripcourse.course.load import load_course
 from gripcourse.gradebook.journal import Signed
 from gripcourse.gradebook.model import Attempt, Mark
 from gripcourse.gradebook.store import Gradebook, open_gradebook
 from gripcourse.gradebook.works import latest_judged
 from gripcourse.grading.model import FlagCode, Report
 from gripcourse.machine.content import NamedBytes, Readable, content_of, shown_name
-from gripcourse.policy.model import Policy
+from gripcourse.policy.load import load_policy
 from gripcourse.policy.time_rules import AttemptRule, Counts
 from gripcourse.simulation.cohort import make_classroom
 from gripcourse.simulation.in_memory import judge_one, workbook_of
@@ -35,6 +35,7 @@ from gripcourse.usecases.grading.batch_tables import (
 from gripcourse.usecases.marks.gradebook import keep
 from gripcourse.usecases.marks.regrade import publish
 
+BELTS: Final = Path(__file__).parents[2] / "examples" / "belt_drive"
 STUDENTS: Final = 14
 NOW: Final = datetime(2026, 12, 9, 9, tzinfo=UTC)
 LIKE_ANOTHER: Final = {
@@ -60,8 +61,13 @@ class Room:
 
 
 @pytest.fixture(scope="module")
-def room(course: Course, policy: Policy) -> Room:
-    """Everybody has a work of their own, and one with the numbers that another typed."""
+def room() -> Room:
+    """Everybody has a work of their own, and one with the numbers that another typed.
+
+    The works are of the second course, which is judged in a third of the time.
+    """
+    course = load_course(BELTS)
+    policy = load_policy(course)
     classroom = make_classroom(course, policy, load_mix(course), STUDENTS, 11)
     own = {name: judge_one(name, classroom) for name in classroom.behaviours}
     names, register = tuple(own), classroom.context.register
@@ -116,17 +122,26 @@ def test_a_batch_that_came_in_steps_ends_as_one_that_came_at_once(
 RULES: Final = (None, *(AttemptRule(counts, 0) for counts in Counts))
 
 
+@pytest.fixture(scope="module")
+def graded_steps(room: Room) -> list[tuple[Graded, ...]]:
+    """What each step comes to by itself, the last one twice: which attempt counts is said later."""
+    handed = list(steps(room, random.Random(5)))  # noqa: S311
+    return [room.grade(files, None) for files in (*handed, handed[-1])]
+
+
 @pytest.mark.parametrize("rule", RULES, ids=str)
 def test_results_that_are_not_read_again_change_nothing(
-    room: Room, tmp_path: Path, rule: AttemptRule | None, monkeypatch: pytest.MonkeyPatch
+    room: Room,
+    graded_steps: list[tuple[Graded, ...]],
+    tmp_path: Path,
+    rule: AttemptRule | None,
+    monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     """Of two gradebooks the results of one are always read; some are marked, some were told."""
     context = replace(room.context, policy=replace(room.context.policy, attempts=rule))
     ruled = replace(room, context=context)
     books = [tmp_path / name for name in ("unread.sqlite", "read.sqlite")]
-    handed = list(steps(room, random.Random(5)))  # noqa: S311
-    for number, files in enumerate([*handed, handed[-1]]):
-        graded = ruled.grade(files, None)
+    for number, graded in enumerate(graded_steps):
         made = []
         for place in books:
             with monkeypatch.context() as patch:

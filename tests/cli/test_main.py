@@ -176,7 +176,6 @@ class TestHappyPaths:
         assert gripcourse("solve", "002", "--table", table).code == 0
 
     @pytest.mark.usefixtures("few_slips_counted")
-    @pytest.mark.usefixtures("few_slips_counted")
     def test_an_audit_says_with_its_exit_code_whether_somebody_must_look(
         self, gripcourse: Command, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
     ) -> None:

@@ -101,6 +101,7 @@ def _declared() -> Mapping[str, Mapping[str, tuple[str, ...]]]:
     return {table: {id_: tuple(names) for id_, names in ids.items()} for table, ids in read.items()}
 
 
+@lru_cache
 def declared_names(table: str) -> Mapping[str, frozenset[str]]:
     """Return the ids of a table of `headings.toml` by what people call them."""
     pairs = ((plain(name), id_) for id_, names in _declared()[table].items() for name in names)

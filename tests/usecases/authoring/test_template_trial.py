@@ -66,8 +66,15 @@ def tries(tmp_path_factory: pytest.TempPathFactory) -> Tries:
     return Tries(root, files, load_policy(course), trial_of(course, files), read)
 
 
-def test_what_another_process_finds_wrong_is_told_by_this_one(tries: Tries) -> None:
-    here = tries.said(None)
+@pytest.fixture(scope="module")
+def here(tries: Tries) -> list[str]:
+    """What this process says that tries them alone."""
+    return tries.said(None)
+
+
+def test_what_another_process_finds_wrong_is_told_by_this_one(
+    tries: Tries, here: list[str]
+) -> None:
     assert f"templates/{SHEET}" in here[0]
     begun = tries.begun()
     outcome = begun()
@@ -77,8 +84,10 @@ def test_what_another_process_finds_wrong_is_told_by_this_one(tries: Tries) -> N
 
 
 @pytest.mark.parametrize("outcome", [Lost("It is gone.\n"), None], ids=["died", "kept nothing"])
-def test_what_another_process_cannot_try_is_tried_here(tries: Tries, outcome: Lost | None) -> None:
-    assert tries.said(lambda: outcome) == tries.said(None)
+def test_what_another_process_cannot_try_is_tried_here(
+    tries: Tries, here: list[str], outcome: Lost | None
+) -> None:
+    assert tries.said(lambda: outcome) == here
 
 
 def test_another_process_that_has_no_kept_course_says_so(tries: Tries, tmp_path: Path) -> None:

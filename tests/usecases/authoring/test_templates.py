@@ -2,7 +2,7 @@
 
 import re
 import shutil
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 
 import pytest
@@ -84,29 +84,43 @@ def test_the_templates_of_the_reference_course_are_right(spoiled: Spoil) -> None
     assert spoiled() == []
 
 
-@pytest.mark.parametrize(
-    ("file", "old", "new", "what", "remedy"),
-    [
+# Several at a time, none of which hides another: file, text, what it becomes, what is said of it.
+FAULTS = {
+    "of what is written": (
         ("student.html.j2", "{% if causes %}", "{% if causes }", "unexpected '}'", "Correct"),
         ("cohort.html.j2", "<h1>", "<h1>{% include 'parts/gone' %}", "parts/gone", "parts/"),
         ("parts/given.html.j2", "| symbol", "| symbl", "filter 'symbl'", "'symbol'"),
         ("solution.html.j2", "{% if view %}", "{% if view is emty %}", "test 'emty'", "Known here"),
+    ),
+    "of names": (
         ("student.html.j2", "<h1>{{ student }}", "<h1>{{ studnet }}", "'studnet'", "'student'"),
         ("parts/answers.html.j2", "in rows %}", "in rwos %}", "'rwos'", ""),
         ("parts/behind.html.j2", "in causes %}", "in cuases %}", "'cuases'", "'causes'"),
-        ("parts/behind.html.j2", "{{ cause.count }}", "{{ cause.cuont }}", "'cuont'", "name"),
-        ("parts/result.html.j2", "{{ score", "{{ 1 / 0 }}{{ score", "division by zero", "Correct"),
         ("reference_scheme.html.j2", "{{ title }}", "{{ titel }}", "'titel'", "'title'"),
-    ],
-)
+    ),
+    "of a part of a value": (
+        ("parts/behind.html.j2", "{{ cause.count }}", "{{ cause.cuont }}", "'cuont'", "name"),
+    ),
+    "of what is computed": (
+        ("parts/result.html.j2", "{{ score", "{{ 1 / 0 }}{{ score", "division by zero", "Correct"),
+    ),
+}
+
+
+@pytest.mark.parametrize("faults", FAULTS.values(), ids=FAULTS)
 def test_a_fault_is_named_with_its_file_its_line_and_a_remedy(
-    spoiled: Spoil, file: str, old: str, new: str, what: str, remedy: str
+    spoiled: Spoil, faults: Sequence[tuple[str, str, str, str, str]]
 ) -> None:
-    (problem,) = spoiled((file, old, new))
-    assert problem.file == f"templates/{file}"
-    assert problem.key == line_of(file, old)
-    assert what in str(problem.what)
-    assert remedy in str(problem.remedy)
+    problems = spoiled(*(one[:3] for one in faults))
+    found = {one.file: one for one in problems}
+    assert sorted(one.file for one in problems) == sorted(
+        f"templates/{file}" for file, *_ in faults
+    )
+    for file, old, _, what, remedy in faults:
+        problem = found[f"templates/{file}"]
+        assert problem.key == line_of(file, old)
+        assert what in str(problem.what)
+        assert remedy in str(problem.remedy)
 
 
 def test_all_faults_of_all_templates_come_at_once(spoiled: Spoil) -> None:

@@ -66,14 +66,14 @@ def test_a_token_that_is_none_of_this_role_opens_nothing(
         else dict.fromkeys((*links, good, ended, "guess"), "not_signed_in")
     )
     tokens |= {} if operation.role is not TokenRole.SIGN_IN else {session: "not_signed_in"}
-    client, desk = neighbour.client(), neighbour.server.context.desk
+    client, desk, own = neighbour.client(), neighbour.server.context.desk, own_of_third(neighbour)
     before = desk.hand_ins(), desk.checks(), desk.requests(), desk.publications()
     for token, code in tokens.items():
         answer = ask(client, operation, token)
         assert (answer.status_code, answer.json()["code"]) == (401, code)
         assert answer.headers["content-type"] == "application/problem+json"
         assert answer.headers["www-authenticate"] == 'Bearer error="invalid_token"'
-        assert not any(own in answer.content for own in own_of_third(neighbour))
+        assert not any(one in answer.content for one in own)
     for token, scheme in ((None, ""), (good, "Basic"), ("", "Bearer")):
         answer = ask(client, operation, token, scheme)
         assert (answer.status_code, answer.json()["code"]) == (401, "no_token")
