@@ -69,11 +69,13 @@ class _Wrong:
         comparison: of the answer.
         alone: how densely numbers lie at it if it is wrong by itself.
         habits: what people shorten the constants to that lead to it, SI, by name.
+        is_far: whether rounding may have done it too, so that it is no evidence without another.
     """
 
     comparison: Comparison
     alone: float
     habits: tuple[Mapping[str, float], ...]
+    is_far: bool
 
     @property
     def name(self) -> str:
@@ -138,14 +140,15 @@ def _wrong(case: GradingCase, judged: Sequence[JudgedAnswer]) -> list[_Wrong]:
         comparison = one.comparison
         if comparison is None or not case.is_own or not comparison.answer.unit_fits:
             continue
-        if not (one.judgement.outcome.traits.mistake or _is_far(one.judgement)):
+        is_far = _is_far(one.judgement)
+        if not (one.judgement.outcome.traits.mistake or is_far):
             continue
         alone = one.judgement.alone
         if math.isnan(alone):
             alone = unexplained(comparison)
         alone = _ZERO if comparison.value == 0 else alone
         alone = _BY_CHANCE.get(one.quantity.kind, alone)
-        found[one.quantity.id] = _Wrong(comparison, alone, tuple(_habits(comparison)))
+        found[one.quantity.id] = _Wrong(comparison, alone, tuple(_habits(comparison)), is_far)
     return [found[name] for name in case.plan.quantities if name in found]
 
 
@@ -182,8 +185,9 @@ def _of_input(
     if not math.isfinite(number) or number == 0:
         return
     sets: dict[tuple[str, ...], list[_Trial]] = {}
+    evident = {one.name for one in using if not one.is_far}
     for one in _trials(case, name, using, number):
-        if len(one.explains) >= _LEAST_ANSWERS:
+        if len(one.explains) >= _LEAST_ANSWERS and not evident.isdisjoint(one.explains):
             sets.setdefault(one.explains, []).append(one)
     if not sets:
         return
