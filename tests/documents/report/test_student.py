@@ -212,6 +212,7 @@ def test_roots_and_next_steps_come_before_the_answers(
             "Causes of lost points",
             "What to do next",
             "Review first: F",
+            "How to read this report",
             "Your answer",
         )
     ]
