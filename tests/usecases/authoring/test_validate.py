@@ -105,7 +105,6 @@ def test_numbers_and_spaces_do_not_wait_for_the_policy(broken: Callable[..., Pat
     assert not found.computed
 
 
-FILLED = "gripcourse.usecases.authoring.validate.trial_problems"
 UNKNOWN_UNIT = ("variants/schemes/v_belt/scheme.toml", 'unit = "mm"', 'unit = "mmm"')
 """Of the width of a V-belt, which decides nearly all of its drive but no angle."""
 
@@ -229,10 +228,6 @@ MISTAKES = [
 ]
 
 
-# With whose mistake pages are filled: to fill all of them twice takes longest.
-ON_PAGES = "variants/schemes/flat_belt/worked_example.toml"
-
-
 @pytest.mark.usefixtures("same_templates")
 @pytest.mark.parametrize(("file", "old", "new"), MISTAKES, ids=[file for file, _, _ in MISTAKES])
 def test_a_mistake_is_told_alike_whatever_was_found_sound_before(
@@ -245,8 +240,6 @@ def test_a_mistake_is_told_alike_whatever_was_found_sound_before(
 ) -> None:
     assert all_problems(COURSE) == []
     root = broken((file, old, new))
-    if file != ON_PAGES:
-        monkeypatch.setattr(FILLED, lambda *_: [])
     after = all_problems(root)
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "nothing"))
     assert after
