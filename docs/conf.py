@@ -30,8 +30,10 @@ html_show_copyright = False
 # The formula reference has pages of its own.
 html_extra_path = ["../extra"]
 
-# What is wider than a telephone and moves inside of a frame of its own: a keyboard must reach it.
-_SCROLLED = {
+# What the theme writes, and what stands in its place: captions of the menu have no level, and a
+# keyboard does not reach what is wider than a telephone and moves inside of a frame of its own.
+_READ_BY_ALL = {
+    'role="heading"': 'role="heading" aria-level="2"',
     "<pre>": '<pre tabindex="0">',
     '<div class="table-wrapper': '<div tabindex="0" class="table-wrapper',
 }
@@ -43,14 +45,9 @@ def setup(app: Sphinx) -> None:
 
 
 def let_all_read(
-    _app: Sphinx, _page: str, _template: str, context: dict[str, Any], _: object
+    _app: Sphinx, _page: str, _template: str, context: dict[str, Any], _tree: object
 ) -> None:
-    """Let a keyboard move what scrolls, and give the captions of the menu a level."""
-    menu = context.get("furo_navigation_tree", "")
-    context["furo_navigation_tree"] = menu.replace(
-        'role="heading"', 'role="heading" aria-level="2"'
-    )
-    body = context.get("body", "")
-    for begin, reached in _SCROLLED.items():
-        body = body.replace(begin, reached)
-    context["body"] = body
+    """Change what the theme wrote."""
+    for name in ("body", "furo_navigation_tree"):
+        for written, better in _READ_BY_ALL.items():
+            context[name] = context.get(name, "").replace(written, better)

@@ -271,7 +271,7 @@ def test_what_somebody_else_keeps_meanwhile_is_found_there(
 ) -> None:
     """Two batches of the same works at once: the second has read the gradebook before the first."""
     graded = [Graded(grade_file(one, office.context), "") for one in files]
-    place, read = str(tmp_path / "both.sqlite"), gradebook._known
+    place, read = str(tmp_path / "both.sqlite"), gradebook._known  # noqa: SLF001 (the moment between)
 
     def overtaken(*asked: Any) -> Any:  # noqa: ANN401 (as it is)
         monkeypatch.setattr(gradebook, "_known", read)

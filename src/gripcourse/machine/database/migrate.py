@@ -4,6 +4,7 @@ The revisions are Alembic's. All of them that a database lacks run in one transa
 that is killed on the way leaves the database as it was.
 """
 
+from threading import Lock
 from typing import Final
 
 from sqlalchemy import Connection, inspect, text
@@ -16,6 +17,9 @@ VERSION_TABLE: Final = "gripcourse_revision"
 
 # What the first version wrote in place of a revision.
 _FORMAT_TABLE = "gradebook_format"
+
+# The library holds what it works on in names of a module: two threads would take each other's.
+_BRINGING_UP: Final = Lock()
 
 
 def revision_of(connection: Connection) -> str | None:
@@ -43,6 +47,7 @@ def bring_up(connection: Connection, found: str | None, to: str = NEWEST) -> Non
     config = Config()
     config.set_main_option("script_location", f"{__package__}:migrations")
     config.attributes["connection"] = connection
-    if found is not None and not inspect(connection).has_table(VERSION_TABLE):
-        command.stamp(config, found)
-    command.upgrade(config, to)
+    with _BRINGING_UP:
+        if found is not None and not inspect(connection).has_table(VERSION_TABLE):
+            command.stamp(config, found)
+        command.upgrade(config, to)
