@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from gripcourse.machine.files import write_together
-from gripcourse.usecases.grading.lines_before import Line, LinesBefore
+from gripcourse.usecases.grading.lines_before import LinesBefore, TableLine
 
 NAMES = ("Anna", "Bohdan", "Оксана")
 
@@ -37,12 +37,12 @@ class Table:
         write_together({self.path: lines.taken_over(self.path, pieces)})
         return self.path.read_text(encoding="utf-8")
 
-    def _line(self, name: str) -> Line:
+    def _line(self, name: str) -> TableLine:
         def make() -> str:
             self.made.append(name)
             return f"\n«{name}»"
 
-        return Line(name, make)
+        return TableLine(name, make)
 
 
 @pytest.fixture
@@ -126,7 +126,7 @@ def test_a_table_that_could_not_be_written_leaves_the_one_of_before_and_its_line
 ) -> None:
     before = table.path.read_bytes()
 
-    def cut_short() -> Iterator[str | Line]:
+    def cut_short() -> Iterator[str | TableLine]:
         yield "["
         raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
 

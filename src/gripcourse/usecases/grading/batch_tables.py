@@ -19,7 +19,7 @@ from gripcourse.machine.files import write_together
 from gripcourse.policy.scales import Scale
 from gripcourse.text.words import Words
 from gripcourse.usecases.grading.collect import REASONS, PassedOver
-from gripcourse.usecases.grading.lines_before import Line, LinesBefore, Piece, all_made
+from gripcourse.usecases.grading.lines_before import LinesBefore, Piece, TableLine, all_made
 from gripcourse.usecases.grading.unchanged import PrintedBefore, told_of
 from gripcourse.variants.model import Student
 
@@ -149,7 +149,7 @@ def _json_pieces(
     yield before + _NO_REPORTS.removesuffix("]")
     for number, (report, digest) in enumerate(zip(reports, digests, strict=False)):
         yield ",\n" if number else "\n"
-        yield Line(digest, partial(report_json, report, words, scales))
+        yield TableLine(digest, partial(report_json, report, words, scales))
     yield ("\n ]" if reports else "]") + after
 
 

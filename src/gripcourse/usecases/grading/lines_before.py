@@ -25,7 +25,7 @@ _KEY: Final = 32
 
 
 @dataclass(frozen=True, slots=True)
-class Line:
+class TableLine:
     """A line that need not be made.
 
     Attributes:
@@ -37,14 +37,14 @@ class Line:
     make: Callable[[], str]
 
 
-Piece: TypeAlias = str | Line
+Piece: TypeAlias = str | TableLine
 """A piece of a table."""
 
 
 def all_made(pieces: Iterable[Piece]) -> Iterator[str]:
     """Yield the pieces of a table, each line made."""
     for piece in pieces:
-        yield piece.make() if isinstance(piece, Line) else piece
+        yield piece.make() if isinstance(piece, TableLine) else piece
 
 
 @dataclass(frozen=True, slots=True)
@@ -69,7 +69,7 @@ class LinesBefore:
         places, at = list[bytes](), 0
         with _known_lines(table, read_value(self.note)) as known:
             for piece in pieces:
-                if isinstance(piece, Line):
+                if isinstance(piece, TableLine):
                     key = hashlib.sha256(f"{self.made_with}\n{piece.about}".encode()).digest()
                     written = known(key) or piece.make().encode()
                     digest = hashlib.sha256(written).digest()
