@@ -73,6 +73,13 @@ def test_an_angle_that_counts_as_a_number_is_put_in_in_radians(composition: "Com
     assert faults == []
 
 
+@pytest.mark.parametrize(
+    ("line", "language"), [("200 1/s · 0.3 ohm·s", "en"), ("200 1/с · 0,3 Ом·с", "uk")]
+)
+def test_a_unit_that_begins_with_a_one_is_no_further_factor(line: str, language: str) -> None:
+    assert read_back(line, language) == pytest.approx(60)
+
+
 def test_a_printed_line_that_lost_its_brackets_would_be_noticed() -> None:
     right = read_back("1.3 · 900 N/(2 · 0.15)", "en")
     wrong = read_back("1.3 · 900 N/2 · 0.15", "en")

@@ -18,7 +18,7 @@ from gripcourse.solver.solve import Values
 from gripcourse.solver.solve import evaluate as solve
 from gripcourse.text.number_text import format_number
 from gripcourse.text.units import factor, unit_text
-from gripcourse.text.words import LANGUAGES, message
+from gripcourse.text.words import message
 
 _FULL = 15  # figures
 _SAME = 1e-6
@@ -103,7 +103,7 @@ def _faults(
             for name, value in solved.items()
             if name in formula.names
         }
-        for language in LANGUAGES:
+        for language in plan.course.languages:
             if not reads_back(one, formula, plan, values, language):
                 yield Problem(
                     one.file,

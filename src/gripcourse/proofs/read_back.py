@@ -17,7 +17,7 @@ _DIGITS: Final = {
 _POWER_OF_TEN: Final = "(?:·10([⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+))?"
 _LETTERS: Final = r"[^\W\d_]+[²³⁴]?"
 _BELOW: Final = rf"{_LETTERS}|\({_LETTERS}(?:·{_LETTERS})*\)"
-_UNIT: Final = rf"(?:(°)(?!C)| (°C|{_LETTERS}(?:[·/](?:{_BELOW}))*|%))?"
+_UNIT: Final = rf"(?:(°)(?!C)| (°C|1/(?:{_BELOW})|{_LETTERS}(?:[·/](?:{_BELOW}))*|%))?"
 _RAISED: Final = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")
 _WORDS: Final = {
     "√": "sqrt",
