@@ -129,10 +129,10 @@ def server(opened: Server, minutes: Iterator[int]) -> Iterator[Server]:
     opened.clock.now = BEGAN
 
 
-@pytest.fixture(scope="session")
-def filled(opened: Server, tmp_path_factory: pytest.TempPathFactory) -> bytes:
+@pytest.fixture
+def filled(server: Server, tmp_path: Path) -> bytes:
     """The workbook of the first student, filled in."""
-    return opened.filled("s01", tmp_path_factory.mktemp("filled"))
+    return server.filled("s01", tmp_path)
 
 
 @pytest.fixture

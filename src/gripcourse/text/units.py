@@ -306,6 +306,10 @@ def _capital(text: str) -> str:
 _KEYS: Final[tuple[Callable[[str], str], ...]] = (_as_seen, _small, _capital)
 
 
+# A square, as in `кв. мм`; a kilovolt has a capital letter.
+_SQUARE: Final = frozenset({"кв", "Кв", "КВ"})
+
+
 @lru_cache(maxsize=1)
 def _spellings() -> tuple[Mapping[str, frozenset[str]], ...]:
     """Return for each key the units that a spelling can mean."""
@@ -320,6 +324,8 @@ def _spellings() -> tuple[Mapping[str, frozenset[str]], ...]:
 
 def _find(text: str) -> str | None:
     """Return the unit of the table that a text means, where it can mean only one."""
+    if text in _SQUARE:
+        return None
     for index, key in zip(_spellings(), _KEYS, strict=True):
         found = index.get(key(text), frozenset())
         if len(found) == 1:

@@ -12,6 +12,7 @@ from gripcourse.course.model import Course
 from gripcourse.course.option_sets import pair_option_sets
 from gripcourse.course.quantity import Quantity
 from gripcourse.documents.reference.pages import pages
+from gripcourse.text.amounts import NO_BREAK_SPACE
 from gripcourse.text.words import Words
 
 # What is computed has an article, what is given a row of a table.
@@ -58,12 +59,14 @@ class Page(HTMLParser):
             assert self._open.pop() == tag
 
     def handle_data(self, data: str) -> None:
+        data = data.replace(NO_BREAK_SPACE, " ")  # keeps a number and its unit together
         self._of_entry.append(data)
         if "td" in self._open or "th" in self._open:
             self.rows[-1][-1] += data
 
     def says(self, name: str, text: str) -> bool:
         """Tell whether a text of the course is in an entry of a declaration."""
+        text = text.replace(NO_BREAK_SPACE, " ")
         escaped = html.escape(text, quote=True)
         return any(escaped in source or text in said for source, said in self.entries.get(name, ()))
 
