@@ -44,13 +44,22 @@ def why_uncharged(one: JudgedForeign) -> Uncharged | None:
     """Return why a mistake cost nothing; None for a work without one, or where it did cost."""
     if one.work.done is None or charged(one):
         return None
+    blank = {found.quantity for found in one.report.findings} - one.work.cells.keys()
+    if one.work.done.root in blank:
+        return Uncharged.BLANK
     reached = [found for found in answers(one) if found.quantity in one.work.reaches]
     if any(found.outcome.traits.coarse for found in reached):
         return Uncharged.ROUGH
     moved = [found for found in reached if is_moved(found)]
     if not moved and len(reached) < len(one.work.reaches):
         return Uncharged.BLANK
-    numbers = (found for found in moved if found.quantity not in one.work.decisions)
+    # A size that is not written may be any sound one.
+    decided = one.work.decisions & blank
+    numbers = (
+        found
+        for found in moved
+        if found.quantity not in one.work.decisions and decided.isdisjoint(found.inputs)
+    )
     if any(found.against not in _OTHER_WAYS for found in numbers):
         return Uncharged.PAID
     return Uncharged.SOUND

@@ -20,6 +20,7 @@ from gripcourse.simulation.rates import Rate, added
 from gripcourse.slips.model import USED, SlipId
 
 _OWNER = frozenset({FlagCode.COPIED_FROM})
+_PAID_BY_CHANCE = 0.005  # share of the works with a mistake
 _SPOILED = 2  # answers that a number used wrongly must spoil before it can be told
 
 
@@ -141,10 +142,14 @@ def _rates(judged: Sequence[JudgedForeign], mix: Mix) -> Iterator[tuple[str, Rat
 
 
 def _uncharged(works: Sequence[JudgedForeign]) -> Iterator[tuple[str, Rate]]:
-    """Yield why mistakes cost nothing; none may because a wrong number was accepted."""
+    """Yield why mistakes cost nothing; hardly any may because a wrong number was accepted.
+
+    Beside a step that is left blank, and has cost, a number may by chance be what a known mistake
+    in that step would lead to.
+    """
     why = [why_uncharged(one) for one in works]
     for reason in Uncharged:
-        most = 0.0 if reason is Uncharged.PAID else None
+        most = _PAID_BY_CHANCE if reason is Uncharged.PAID else None
         yield f"uncharged_{reason.value}", Rate(why.count(reason), len(works), at_most=most)
 
 
