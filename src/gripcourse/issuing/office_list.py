@@ -111,7 +111,7 @@ def _row_shown(sheet: Sheet, row: SheetRow, cells: Iterable[str]) -> str:
 
 
 def without_numbers(sheet: Sheet, columns: Mapping[str, TableColumn]) -> Sheet:
-    """Take the running numbers away that stand before all names, as `1. ` does."""
+    """Take the running numbers away that stand before all names, as in `1. Smith`."""
     first = next((columns[one] for one in _OF_NAMES if one in columns), None)
     if first is None or not sheet.rows:
         return sheet
