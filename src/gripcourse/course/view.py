@@ -91,8 +91,8 @@ class ViewShape:
         kind: a key of `SHAPES`.
         needs: the formulas of each key, points as x and y in turn.
         line: one of `LINES`.
-        hatch: which way the lines of a cut face lean and how close they are, one of `HATCHES`; empty
-            for none.
+        hatch: which way the lines of a cut face lean and how close they are, one of `HATCHES`;
+            empty for none.
         hidden_edges: whether what other parts cover of it is shown by dashed lines.
         face: the view that shows it.
         repeats: in rows and columns, or round a point.
