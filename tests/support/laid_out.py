@@ -6,6 +6,9 @@ from typing import Any
 
 from weasyprint import HTML
 
+# WeasyPrint ships no types, and has no other way to ask where a box stands.
+# ruff: noqa: ANN401, SLF001
+
 TEMPLATES = Path(__file__).parents[2] / "templates"
 PIXELS = 96 / 25.4  # in a mm
 
