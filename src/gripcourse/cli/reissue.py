@@ -2,7 +2,7 @@
 
 import getpass
 from datetime import datetime
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
@@ -29,6 +29,9 @@ from gripcourse.cli.options import (
     words_for,
 )
 from gripcourse.text.words import message
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
 
 # Every command imports what it needs itself: numpy, pandas and the database cost half a second.
 # ruff: noqa: PLC0415
@@ -77,7 +80,14 @@ def reissue(  # noqa: PLR0913 (one parameter per option)
     )
     say_limits(words)
     with cli_text.progress(words) as step:
-        tick = step(words.say(message("Issuing")), len(students))
-        issuing = reissue_order(loaded, load_policy(loaded), order, workers, lambda _: tick())
+        ticks: list[Callable[[], None]] = []
+        issuing = reissue_order(
+            loaded,
+            load_policy(loaded),
+            order,
+            workers,
+            lambda _: ticks[0](),
+            on_counted=lambda total: ticks.append(step(words.say(message("Issuing")), total)),
+        )
     confirm(cli_text.issuing_text(issuing, out, words))
     raise typer.Exit(NEEDS_PERSON if any(one.faults for one in issuing.handouts) else DONE)

@@ -60,7 +60,7 @@ SHAPES: Mapping[str, Mapping[str, Need]] = {
 }
 # Shapes with an inside: the bodies of a view are made of these.
 CLOSED = frozenset({"box", "circle", "pin", "bar", "taper", "polygon", "sector"})
-HATCHES = ("", "right", "left")
+HATCHES = ("", "right", "left", "close_right", "close_left")
 SOLID_LINES = frozenset({"outline", "phantom"})  # of a body, unless declared otherwise
 LINES = ("outline", "thin", "centre", "hidden", "phantom")
 
@@ -91,7 +91,8 @@ class ViewShape:
         kind: a key of `SHAPES`.
         needs: the formulas of each key, points as x and y in turn.
         line: one of `LINES`.
-        hatch: which way the lines of a cut face lean, one of `HATCHES`; empty for none.
+        hatch: which way the lines of a cut face lean and how close they are, one of `HATCHES`;
+            empty for none.
         hidden_edges: whether what other parts cover of it is shown by dashed lines.
         face: the view that shows it.
         repeats: in rows and columns, or round a point.

@@ -50,7 +50,7 @@ SHAPE: Final = Shape(
     {
         "kind": text("Which figure it is.", *SHAPES, required=True),
         "line": text("How its edge is drawn.", *LINES),
-        "hatch": text("Which way a cut face is hatched.", *HATCHES),
+        "hatch": text("Which way a cut face is hatched, and how closely.", *HATCHES),
         "hidden_edges": flag("Whether what other parts cover is shown by dashed lines."),
         "face": _FACE,
         "repeat": tables("Again and again, in a row or round a point.", _REPEAT),

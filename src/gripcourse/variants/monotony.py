@@ -31,7 +31,8 @@ class SizeSpread:
         unit: declared.
         is_picked: whether it is taken from a series or read from a table, and not computed.
         variants: how many have it.
-        low, median, high: 5, 50 and 95 % of the values lie at or below, in `unit`.
+        low, median, high: the least of the values at or below which 5, 50 and 95 % of them lie, in
+            `unit`.
         rests_on: ids that it is taken for or read by.
         commonest: the value that most variants have, in `unit`.
         share: share of the variants that have it, 0 to 1.
@@ -109,7 +110,9 @@ def _is_size(member: Member) -> bool:
 def _spread(member: Member, values: Array) -> SizeSpread:
     quantity = member.quantity
     sorts, counts = np.unique(np.round(values, 12), return_counts=True)
-    found = (*np.percentile(values, _PERCENTS), sorts[np.argmax(counts)])
+    # Sizes that occur: between two sizes of a series there is none.
+    ranks = np.percentile(values, _PERCENTS, method="inverted_cdf")
+    found = (*ranks, sorts[np.argmax(counts)])
     low, median, high, commonest = (
         from_si(member.plan, {quantity.id: float(one)})[quantity.id] for one in found
     )

@@ -2,23 +2,23 @@
 
 from collections.abc import Callable
 from datetime import datetime
+from functools import cache
 from http import HTTPStatus
 from typing import Final
+from zoneinfo import ZoneInfo
 
-from babel.dates import format_datetime
 from starlette.requests import Request
 from starlette.responses import HTMLResponse, Response
 
 from gripcourse.documents.pdf import template_environment
 from gripcourse.gradebook.deadlines import END_OF_DAY
+from gripcourse.text.moments import hour_text, moment_text
 from gripcourse.text.words import LANGUAGES, Message, Words
 from gripcourse.variants.model import Issued
 from gripcourse.web.site import Site
 
 _LANGUAGE: Final = "visitor_language"
 _HOME: Final = "visitor_home"
-_TIME: Final = "d MMM y, HH:mm:ss z"
-_HOUR: Final = "HH:mm z"
 
 
 def page(
@@ -47,23 +47,16 @@ def page(
     }
     # Templates call only what their environment offers. Other threads fill the same one: whoever
     # comes first or last offers the same function.
-    environment.globals["when"] = _WHEN[words.language]
+    environment.globals["when"] = _when_in(words.language, site.context.zone)
     template = environment.get_template(f"web/{name}.html.j2")
     return HTMLResponse(template.render(everywhere | values), status)
-
-
-def when(moment: datetime, words: Words) -> str:
-    """Write a time with its seconds and its zone, as the clock of the server's place shows it."""
-    local = moment.astimezone()
-    return str(format_datetime(local, _TIME, tzinfo=local.tzinfo, locale=words.language))
 
 
 def hour_of(deadline: datetime | None, words: Words) -> str:
     """Write until what hour of its day a deadline is, in its own zone; empty for all of the day."""
     if deadline is None or deadline.time() == END_OF_DAY:
         return ""
-    zone = deadline.tzinfo
-    return str(format_datetime(deadline, _HOUR, tzinfo=zone, locale=words.language))
+    return hour_text(deadline, words)
 
 
 def notice(
@@ -128,9 +121,7 @@ def asked_language(request: Request) -> str | None:
     return None
 
 
-def _when_in(language: str) -> Callable[[datetime], str]:
+@cache
+def _when_in(language: str, zone: ZoneInfo | None) -> Callable[[datetime], str]:
     words = Words(language)
-    return lambda moment: when(moment, words)
-
-
-_WHEN: Final = {language: _when_in(language) for language in LANGUAGES}
+    return lambda moment: moment_text(moment, words, zone, seconds=True)

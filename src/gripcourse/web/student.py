@@ -19,6 +19,7 @@ from gripcourse.documents.assignment_sheet import given_data
 from gripcourse.policy.model import Tells
 from gripcourse.solver.plan import plan_of
 from gripcourse.text.amounts import NO_BREAK_SPACE
+from gripcourse.text.moments import zone_name
 from gripcourse.text.units import stands_close
 from gripcourse.text.words import Words, message
 from gripcourse.usecases.issuing.handout import sheet_path, workbook_path
@@ -149,6 +150,7 @@ def home(visit: Visit) -> Response:
         "task": plan.scheme.task.of(words.language),
         "deadline": None if deadline is None else deadline.date(),
         "until": hour_of(deadline, words),
+        "clock": zone_name(context.zone),
         "data": given_data(plan.givens, issued.variant.given, words),
         "over": is_late(context, issued, visit.site.clock()),
         "drawings": sorted(DRAWINGS) if plan.manual else (),
@@ -260,6 +262,7 @@ def receipt(visit: Visit) -> Response:
         "student": visit.issued.student,
         "variant": visit.issued.variant.id,
         "receipt": made,
+        "clock": zone_name(visit.site.context.zone),
     }
     return page(visit.site, visit.request, "receipt", visit.words, values)
 

@@ -84,6 +84,11 @@ def come_again(when: str, status: int = 429) -> Answer:
     return lambda _: httpx2.Response(status, headers={"Retry-After": when})
 
 
+def throttled(_: httpx2.Request) -> httpx2.Response:
+    """Answer as Canvas does to who asks too much: no word of when to come again."""
+    return httpx2.Response(403, text="403 Forbidden (Rate Limit Exceeded)\n")
+
+
 def test_access_that_has_expired_is_asked_for_again() -> None:
     platform = Busy([])
     with access_to(platform) as access:
@@ -122,6 +127,7 @@ def test_a_platform_that_knows_no_token_of_its_own_is_not_asked_without_end() ->
         (come_again("nan"), 2.0),
         (come_again("Thu, 01 Oct 2026 09:30:00"), 2.0),
         (429, 2.0),
+        (throttled, 2.0),
         (500, 2.0),
         (502, 2.0),
         (away, 2.0),
@@ -153,6 +159,8 @@ def test_a_busy_platform_may_name_the_moment() -> None:
     [
         ([come_again("3600")], PlatformFailure.BUSY, 1),
         ([429] * 9, PlatformFailure.BUSY, 3),
+        ([throttled] * 9, PlatformFailure.BUSY, 3),
+        ([403] * 9, PlatformFailure.REFUSED, 1),
         ([500] * 9, PlatformFailure.BROKEN, 3),
         ([away] * 9, PlatformFailure.AWAY, 3),
         ([404] * 9, PlatformFailure.REFUSED, 1),
@@ -182,3 +190,12 @@ def test_why_a_score_is_not_taken_is_a_sentence(status: int, said: str) -> None:
         send_score(access, COLUMN, "u1", SCORE)
     assert said in str(caught.value.said)
     assert str(status) in str(caught.value.said)
+
+
+@pytest.mark.parametrize("answer", [429, throttled])
+def test_a_platform_that_stays_busy_is_not_called_one_that_lets_us_do_nothing(
+    answer: Answer | int,
+) -> None:
+    with access_to(Busy([answer] * 3)) as access, pytest.raises(PlatformFailedError) as caught:
+        send_score(access, COLUMN, "u1", SCORE)
+    assert "asked again later" in str(caught.value.said)

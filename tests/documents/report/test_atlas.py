@@ -1,6 +1,7 @@
 """The papers' curves and cases come out of the course's own formulas."""
 
 import math
+import re
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
@@ -156,3 +157,12 @@ def test_the_atlas_is_the_same_every_time(atlas: Atlas, the_course: Course) -> N
     with not_laid_out():
         made = [atlas_pdf(atlas, one, the_course, words) for one in (drawn, again)]
     assert made[0] == made[1]
+
+
+def test_a_legend_shows_the_subscripts_of_its_symbols(atlas: Atlas, the_course: Course) -> None:
+    for plate in plates(atlas, the_course, Words("uk")):
+        lines = re.findall(r"<text[^>]*>(\d+ — .*?)</text>", plate.svg())
+        assert lines
+        for line in lines:
+            assert "_" not in line
+            assert re.search(r' — l<tspan dy="1.6"[^>]*>\d+</tspan><tspan dy="-1.6">', line), line

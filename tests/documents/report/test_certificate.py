@@ -6,12 +6,14 @@ from collections.abc import Callable
 from dataclasses import replace
 from datetime import date
 from functools import cache
+from itertools import pairwise
 
 import pytest
 
 from gripcourse.course.model import Course
 from gripcourse.documents.pdf import Document, render_html
 from gripcourse.documents.report.certificate import (
+    STYLES,
     TEMPLATE,
     CertificateSource,
     certificate,
@@ -23,10 +25,12 @@ from gripcourse.text.words import LANGUAGES, Words
 from gripcourse.variants.audit import VariantAudit, audit
 from gripcourse.variants.draw import draw
 from gripcourse.variants.space import load_spaces
+from support.laid_out import boxes, pages_of, text_edges
 from support.pages import not_laid_out, text_of_page
 
 SOURCE = CertificateSource("autumn.csv", "ab" * 32)
 DAY = date(2026, 9, 1)
+APART = 2.5  # mm between numbers that are no one number
 
 
 @pytest.fixture(scope="module")
@@ -181,3 +185,29 @@ def test_the_tables_hold_what_the_audit_found(audited: VariantAudit, course: Cou
     quantities = rows(audited, course, "quantities.csv")
     weak = {(row["scheme"], row["quantity"]) for row in quantities if row["weak"] == "yes"}
     assert weak == {(one.scheme, one.quantity) for one in audited.weak_items}
+
+
+def test_numbers_of_neighbouring_columns_stand_apart(
+    audited: VariantAudit, course: Course, policy: Policy
+) -> None:
+    values = certificate_values(audited, SOURCE, course, policy, Words("uk")) | {"day": DAY}
+    wide = ("потужність двигуна", "1234", "0,0178 кВт", "0,0425 кВт", "0,49 кВт", "100,0 %")
+    html = render_html(
+        Document(
+            TEMPLATE,
+            (),
+            values | {"sizes": [wide], "verdicts": [(*wide[:2], "73,3 %", "26,7 %", "")]},
+        ),
+        course.root / "templates",
+        Words("uk"),
+    )
+    rows = [row for page in pages_of(html, STYLES) for row in boxes(page, "tr")]
+    looked_at = 0
+    for row in rows:
+        cells = [
+            text_edges(one) for one in row.children if "number" in one.element.get("class", "")
+        ]
+        for left, right in pairwise(filter(None, cells)):
+            looked_at += 1
+            assert right[0] - left[1] >= APART, row.element.text
+    assert looked_at

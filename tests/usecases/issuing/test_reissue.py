@@ -1,6 +1,7 @@
 """What was issued is corrected without fear: nobody's work is judged by numbers it never had."""
 
 import sqlite3
+from collections.abc import Callable
 from contextlib import closing
 from dataclasses import dataclass, replace
 from datetime import UTC, date, datetime
@@ -43,8 +44,12 @@ def order(classroom: Classroom, *students: str, variant: str = "") -> CorrectedO
     return CorrectedOrder(wanted, classroom.order.table, out, TODAY, None)
 
 
-def corrected(classroom: Classroom, wanted: CorrectedOrder) -> Issuing:
-    return reissue_order(classroom.course, classroom.policy, wanted, 0, lambda _: None)
+def corrected(
+    classroom: Classroom, wanted: CorrectedOrder, on_counted: Callable[[int], None] = lambda _: None
+) -> Issuing:
+    return reissue_order(
+        classroom.course, classroom.policy, wanted, 0, lambda _: None, on_counted=on_counted
+    )
 
 
 def correct_the_row(classroom: Classroom) -> None:
@@ -227,8 +232,10 @@ class TestRefusals:
         wanted = replace(
             wanted, correction=replace(wanted.correction, why=why), out=tmp_path / "out"
         )
+        begun: list[int] = []
         with pytest.raises(UsageError):
-            corrected(term.classroom, wanted)
+            corrected(term.classroom, wanted, begun.append)
+        assert begun == []
         assert read_register(root, id_) == before
         assert not (tmp_path / "out").exists()
 

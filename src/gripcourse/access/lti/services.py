@@ -16,7 +16,11 @@ from gripcourse.access.lti.launch import (
     role_of,
 )
 from gripcourse.access.lti.platforms import is_of_platform, origin_of
-from gripcourse.access.lti.refused import LaunchRefusedError, PlatformFailedError
+from gripcourse.access.lti.refused import (
+    LaunchRefusedError,
+    PlatformFailedError,
+    PlatformFailure,
+)
 from gripcourse.access.lti.web_client import PlatformAnswer, PlatformQuestion
 from gripcourse.text.words import Message, message
 
@@ -80,7 +84,7 @@ def send_score(access: Access, line_item: str, user: str, score: Score) -> None:
         _post(access, SCORE_SCOPE, _below(line_item, "scores"), _SCORE, sent)
     except PlatformFailedError as fault:
         why = _NO_SCORE.get(fault.status)
-        if why is None:
+        if why is None or fault.failure is PlatformFailure.BUSY:
             raise
         said = message("{why} ({status}).", why=why, status=str(fault.status))
         raise PlatformFailedError(said, fault.failure, fault.status, fault.pause) from fault

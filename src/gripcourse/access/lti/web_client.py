@@ -26,6 +26,9 @@ _LARGEST: Final = 2_000_000  # bytes; the members of a large course have some hu
 _DONE: Final = range(200, 300)
 _BROKEN: Final = range(500, 600)
 _BUSY: Final = (HTTPStatus.TOO_MANY_REQUESTS, HTTPStatus.SERVICE_UNAVAILABLE)
+# Canvas says so by a status that means "not allowed" elsewhere, and by nothing else: the number in
+# `X-Rate-Limit-Remaining` is the one after what was held back for the question is given back.
+_TOO_OFTEN: Final = b"rate limit exceeded"
 
 
 @dataclass(frozen=True, slots=True)
@@ -125,7 +128,7 @@ async def _answered(client: PlatformClient, asked: PlatformQuestion) -> Platform
         ) as response:
             body = await _bounded(response)
     if response.status_code not in _DONE:
-        raise _not_done(response)
+        raise _not_done(response, body)
     return PlatformAnswer(_plain(body), _next_page(response, asked.url))
 
 
@@ -155,16 +158,21 @@ def _too_much(failure: PlatformFailure = PlatformFailure.REFUSED) -> PlatformFai
     return PlatformFailedError(said, failure)
 
 
-def _not_done(response: httpx2.Response) -> PlatformFailedError:
+def _not_done(response: httpx2.Response, body: bytes) -> PlatformFailedError:
     status = response.status_code
     failure = PlatformFailure.REFUSED
-    if status in _BUSY:
+    if status in _BUSY or (status == HTTPStatus.FORBIDDEN and _TOO_OFTEN in body.lower()):
         failure = PlatformFailure.BUSY
     elif status in _BROKEN:
         failure = PlatformFailure.BROKEN
     elif status == HTTPStatus.UNAUTHORIZED:
         failure = PlatformFailure.UNKNOWN
     said = message("The platform answered {status}.", status=str(status))
+    if failure is PlatformFailure.BUSY:
+        said = message(
+            "The platform is busy and wants to be asked again later ({status}).",
+            status=str(status),
+        )
     pause = _pause(response.headers.get("retry-after", ""))
     return PlatformFailedError(said, failure, status, pause)
 

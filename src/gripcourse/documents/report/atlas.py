@@ -135,16 +135,16 @@ def _plot(
 def _label(quantity: str, at: Mapping[str, float], plan: Plan, words: Words) -> str:
     symbol = plan.quantities[quantity].symbol.of(words.language).removesuffix("max")
     fixed = "; ".join(
-        f"{_plain(plan.quantities[name].symbol.of(words.language))} = "
+        f"{_held(plan.quantities[name].symbol.of(words.language))} = "
         f"{amount_text(value, plan.quantities[name].unit, words)}"
         for name, value in at.items()
     )
-    return f"{_plain(symbol)} ({fixed})"
+    return f"{symbol.removesuffix('_')} ({fixed})"
 
 
-def _plain(symbol: str) -> str:
-    """Write a symbol without its underscore; a plot's legend has no subscripts."""
-    return symbol.replace("_max", "").replace("_", "")
+def _held(symbol: str) -> str:
+    """Write a symbol without the end of the range that the source's figures do not name."""
+    return symbol.replace("_max", "")
 
 
 def _cases(atlas: Atlas, plan: Plan, words: Words) -> Iterator[AtlasCase]:

@@ -5,6 +5,7 @@ The bars are grey with dark edges, so that a grey printer loses nothing.
 """
 
 import io
+import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any, Final
@@ -12,6 +13,7 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
+from gripcourse.formula.prose import subscript_runs
 from gripcourse.text.words import Words, message
 
 # matplotlib costs 0.4 s to import: only a cohort report pays for it.
@@ -39,6 +41,8 @@ _NUMBER: Final[dict[str, Any]] = {
     "va": "center",
     "bbox": {"boxstyle": "circle,pad=0.15", "fc": "white", "ec": _EDGE, "lw": 0.5},
 }
+_LEGEND = re.compile(r"(?<=>)[^<>]+ — [^<>]+(?=</text>)")  # a line of the legend, in the SVG text
+_SMALL, _DOWN = 5.6, 1.6  # size of a subscript and how deep it stands, in pixels
 _LETTERS = 46  # of a label; longer titles end with an ellipsis
 
 
@@ -226,7 +230,7 @@ def line_plot(
         axes.grid(visible=True, color=_GRID, linewidth=0.5)
         axes.legend(loc="upper left", bbox_to_anchor=(1.02, 1), frameon=False, handlelength=2.6)
 
-    return _svg(draw, height=3.4)
+    return _LEGEND.sub(lambda found: _lowered(found[0]), _svg(draw, height=3.4))
 
 
 def _svg(draw: Any, height: float) -> str:  # noqa: ANN401 - a function on matplotlib's axes
@@ -239,6 +243,17 @@ def _svg(draw: Any, height: float) -> str:  # noqa: ANN401 - a function on matpl
         stream = io.StringIO()
         figure.savefig(stream, format="svg", metadata={"Date": None, "Creator": None})
     return stream.getvalue()
+
+
+def _lowered(escaped: str) -> str:
+    """Let the subscripts of the symbols of a text stand below its line."""
+    parts, deep = [], False
+    for run, low in subscript_runs(escaped):
+        look = f' style="font-size: {_SMALL}px"' if low else ""
+        move = (low - deep) * _DOWN
+        parts.append(f'<tspan dy="{move:g}"{look}>{run}</tspan>' if low or deep else run)
+        deep = low
+    return "".join(parts)
 
 
 def _whole(words: Words) -> Any:  # noqa: ANN401 - matplotlib's formatter

@@ -1,8 +1,7 @@
 """What the certificate says of sizes, and of what comes out alike for nearly everybody."""
 
 from collections.abc import Iterator, Mapping, Sequence
-
-import numpy as np
+from statistics import median_low
 
 from gripcourse.documents.report.columns import aligned
 from gripcourse.text.amounts import amount_text, percent_text
@@ -47,7 +46,7 @@ def alike_rows(
 def _extent(spreads: Sequence[SizeSpread], words: Words) -> Iterator[str]:
     values = (
         min(one.low for one in spreads),
-        float(np.median([one.median for one in spreads])),
+        median_low(one.median for one in spreads),
         max(one.high for one in spreads),
     )
     for one in values:

@@ -1,12 +1,13 @@
 """Where a work stands: scales, points that wait for a person, attempts and lateness."""
 
 from collections.abc import Mapping
-from datetime import datetime
+from datetime import tzinfo
 
 from gripcourse.course.quantity import Quantity
 from gripcourse.grading.model import Report
 from gripcourse.policy.scales import CountedPoints, Scale, grade_text
 from gripcourse.text.amounts import percent_text, points_text
+from gripcourse.text.moments import moment_text, zone_name
 from gripcourse.text.words import Message, Words, message
 
 
@@ -67,12 +68,13 @@ def timing_texts(report: Report, words: Words) -> list[str]:
         return []
     said: list[Message] = []
     if timing.days_late and timing.handed_in and timing.deadline:
+        zone = timing.deadline.tzinfo
         said.append(
             message(
                 "Handed in {when}, the deadline was {deadline}; days late: {days}. Lateness takes "
                 "{share} off; points that count: {earned} of {score}.",
-                when=_moment(timing.handed_in, timing.deadline),
-                deadline=_moment(timing.deadline, timing.deadline),
+                when=moment_text(timing.handed_in, words, zone),
+                deadline=_with_place(moment_text(timing.deadline, words, zone), zone),
                 days=timing.days_late,
                 share=percent_text(timing.deduction, words),
                 earned=points_text(report.earned, words),
@@ -102,6 +104,7 @@ def attempt_text(report: Report, words: Words) -> str:
     return words.say(message("Attempt {number} of {of}: another one counts.", number=number, of=of))
 
 
-def _moment(moment: datetime, zone_of: datetime) -> str:
-    """Write a moment in the time zone of the deadline, which is the course's."""
-    return f"{moment.astimezone(zone_of.tzinfo):%Y-%m-%d %H:%M}"
+def _with_place(moment: str, zone: tzinfo | None) -> str:
+    """Say behind a moment by whose clock it is; once in a sentence is enough."""
+    place = zone_name(zone)
+    return f"{moment} ({place})" if place else moment

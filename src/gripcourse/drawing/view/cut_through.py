@@ -13,7 +13,7 @@ import numpy as np
 import shapely
 import shapely.affinity
 
-from gripcourse.course.view import View, ViewPart
+from gripcourse.course.view import HATCHES, View, ViewPart
 from gripcourse.drawing.paper.document import LineKind
 from gripcourse.drawing.paper.strokes import Box, Line, Stroke
 from gripcourse.drawing.paper.text import Point
@@ -27,7 +27,7 @@ _SMALLEST = 1e-2  # mm²
 _SLIVER = 0.1  # height of what is left out at the rim, in reaches
 _BEYOND = 0.12  # how far axes reach beyond what they are axes of, in reaches
 _WAVE, _SWING = 6, 0.02  # chords and height of a line of break, in its lengths
-_HATCHES = ("right", "left")
+_HATCHES = tuple(filter(None, HATCHES))
 
 
 @dataclass(frozen=True, slots=True)

@@ -10,10 +10,16 @@ from gripcourse.drawing.view.cut_faces import Cut
 if TYPE_CHECKING:
     from ezdxf.layouts.layout import Modelspace
 
-_HATCH_SPACING = 2.0  # mm of paper
+_FAR_APART, _CLOSE = 2.0, 1.2  # lines of a hatch, mm of paper (GOST 2.306: 1 to 10)
 _PITCH = 3.175  # of the standard pattern, mm
 _ANSI31 = [45.0, (0.0, 0.0), (-_PITCH / 2**0.5, _PITCH / 2**0.5), []]
-_LEANING = {"right": 0.0, "left": 90.0}
+# How a hatch is turned, and how far apart its lines are.
+_HATCH_LOOKS = {
+    "right": (0.0, _FAR_APART),
+    "left": (90.0, _FAR_APART),
+    "close_right": (0.0, _CLOSE),
+    "close_left": (90.0, _CLOSE),
+}
 
 
 def draw_stroke(layout: "Modelspace", stroke: Stroke, kind: LineKind) -> None:
@@ -31,9 +37,9 @@ def draw_cut(layout: "Modelspace", cut: Cut, scale: float, at: Point) -> None:
     """Hatch a cut face whose origin lies at a point of the sheet."""
     hatch_entity = layout.add_hatch(dxfattribs={"layer": LineKind.HATCH})
     # The standard pattern, so that programs with patterns of their own find it.
-    size, angle = _HATCH_SPACING / _PITCH, _LEANING[cut.hatch]
+    angle, spacing = _HATCH_LOOKS[cut.hatch]
     pattern = [_ANSI31]
-    hatch_entity.set_pattern_fill("ANSI31", 256, angle, size, definition=pattern)
+    hatch_entity.set_pattern_fill("ANSI31", 256, angle, spacing / _PITCH, definition=pattern)
     for ring in cut.rings:
         corners = [at_place(point, scale, at) for point in ring]
         hatch_entity.paths.add_polyline_path(corners, is_closed=True)

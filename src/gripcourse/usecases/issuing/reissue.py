@@ -56,13 +56,14 @@ class CorrectedOrder:
     link_days: int = 0
 
 
-def reissue_order(
+def reissue_order(  # noqa: PLR0913 (the last two have usual values)
     course: Course,
     policy: Policy,
     order: CorrectedOrder,
     workers: int,
     on_done: Callable[[str], None],
     *,
+    on_counted: Callable[[int], None] = lambda _: None,
     issue_one: IssueOne = issue_one,
 ) -> Issuing:
     """Issue new versions to students and write their documents; what they had stays on record.
@@ -73,6 +74,7 @@ def reissue_order(
         order: what to issue.
         workers: how many processes lay out documents; 0 for none but this one.
         on_done: called with each student's id.
+        on_counted: called before, with how many students there are.
         issue_one: writes one student's documents.
 
     Raises:
@@ -101,6 +103,7 @@ def reissue_order(
     links = links_on_sheets(course, policy, key, order.today, order.link_days)
     context = IssuingContext(course, policy, partial(plan_of, course), order.out, links)
     entries = _fresh(extended.register, order)
+    on_counted(len(entries))
     return Issuing(write_handouts(context, entries, workers, on_done, issue_one), extended.notes)
 
 

@@ -3,6 +3,7 @@
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
+from zoneinfo import ZoneInfo
 
 from gripcourse.access.desk.store import Desk, open_desk
 from gripcourse.course.load import load_course
@@ -49,6 +50,11 @@ class DeskContext:
     def register(self) -> Mapping[str, Issued]:
         """Return what was issued up to now, by student."""
         return self.issued.read().by_student()
+
+    @property
+    def zone(self) -> ZoneInfo | None:
+        """The zone in which deadlines are written; None where none is declared."""
+        return None if self.policy.late is None else self.policy.late.time_zone
 
     @property
     def private(self) -> Path:
