@@ -26,13 +26,19 @@ from gripcourse.policy.model import Policy
 from gripcourse.simulation.cohort import make_classroom
 from gripcourse.simulation.in_memory import judge_one
 from gripcourse.simulation.mix import load_mix
+from gripcourse.simulation.student import Classroom
 from gripcourse.text.words import LANGUAGES, Words
 
 
 @pytest.fixture(scope="module")
-def report(course: Course, policy: Policy) -> Report:
+def room(course: Course, policy: Policy) -> Classroom:
+    """Of one student."""
+    return make_classroom(course, policy, load_mix(course), 1, 3, "rack_parallelogram")
+
+
+@pytest.fixture(scope="module")
+def report(room: Classroom) -> Report:
     """Of a work that was judged."""
-    room = make_classroom(course, policy, load_mix(course), 1, 3, "rack_parallelogram")
     return judge_one(next(iter(room.behaviours)), room).report
 
 
@@ -54,6 +60,26 @@ def test_nothing_is_lost_and_little_is_kept(report: Report) -> None:
     assert shelf.put(held[0]) == held[0]
     assert pickle.loads(pickle.dumps(held)) == held  # noqa: S301 (ours)
     assert len(pickle.dumps(held[0])) == len(pickle.dumps(small))
+
+
+def test_what_was_issued_is_held_once_for_the_register_and_the_report(
+    report: Report, room: Classroom
+) -> None:
+    sent = pickle.loads(pickle.dumps(folded(report)))  # noqa: S301 (ours)
+    held = Shelf(register=room.context.register).put(sent)
+    issued = room.context.register[report.student]
+    assert held == report
+    assert held.student is issued.student.id
+    assert held.name is issued.student.name
+    assert held.variant is issued.variant.id
+    assert held.options is issued.variant.options
+
+
+def test_what_a_report_says_otherwise_than_the_register_stays(
+    report: Report, room: Classroom
+) -> None:
+    another = replace(report, name="Another", variant="another", options={"a": "b"})
+    assert Shelf(register=room.context.register).put(another) == another
 
 
 def test_without_room_for_a_file_findings_stay_in_memory(report: Report) -> None:

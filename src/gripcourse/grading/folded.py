@@ -74,14 +74,7 @@ class Shelf:
             if isinstance(findings.held, _Place):
                 return report  # it was put on a shelf before
             findings = self._lying(findings, findings.held)
-        issued = self.register.get(report.student)
-        held = ({}, {}) if issued is None else (issued.variant.options, issued.variant.given)
-        return replace(
-            report,
-            findings=findings,
-            options=_shared(report.options, held[0]),
-            givens=_shared(report.givens, held[1]),
-        )
+        return _sharing(report, findings, self.register.get(report.student))
 
     def _lying(self, findings: "Folded", held: bytes) -> "Folded":
         """Return findings that lie here; as they are where there is no room."""
@@ -221,6 +214,31 @@ def digest_of_report(report: Report) -> str:
         return hashlib.sha256(repr(report).encode()).hexdigest()
     rest = repr(replace(report, findings=())).encode()
     return hashlib.sha256(b"%d\n%b%b" % (len(rest), rest, findings.packed)).hexdigest()
+
+
+def _sharing(report: Report, findings: Collection[Finding], issued: Issued | None) -> Report:
+    """Return a report that says the same, with its findings as they lie now.
+
+    What was issued is held once, and so is what many say.
+    """
+    texts: tuple[str, ...] = ()
+    options: Mapping[str, str] = {}
+    given: Mapping[str, float] = {}
+    if issued is not None:
+        texts = (issued.student.id, issued.student.name, issued.variant.id)
+        options, given = issued.variant.options, issued.variant.given
+    held = {text: text for text in texts}
+    return replace(
+        report,
+        findings=findings,
+        student=held.get(report.student, report.student),
+        name=held.get(report.name, report.name),
+        variant=held.get(report.variant, report.variant),
+        scheme=sys.intern(report.scheme),
+        language=sys.intern(report.language),
+        options=_shared(report.options, options),
+        givens=_shared(report.givens, given),
+    )
 
 
 def _shared(named: Mapping[str, _Value], held: Mapping[str, _Value]) -> Mapping[str, _Value]:
