@@ -5,14 +5,13 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from gripcourse.likeness.cells import SparseTable
+from gripcourse.likeness.cells import Flags, SparseTable
 from gripcourse.likeness.matches import (
     ComparedNumbers,
     in_order,
     last_unit,
     same_as_issued,
     same_as_typed,
-    typed_in_order,
 )
 
 ROWS, COLUMNS = 6, 3
@@ -31,12 +30,16 @@ def numbers(table: list[list[float]]) -> ComparedNumbers:
     return ComparedNumbers(row, column, value, last_unit(value, np.full(len(value), 0.05)))
 
 
+def all_of(asked: ComparedNumbers) -> Flags:
+    return np.ones(len(asked.value), dtype=np.bool_)
+
+
 @given(typed=TABLES, issued=TABLES)
 def test_every_variant_within_one_unit_of_the_last_digit_is_found(
     typed: list[list[float]], issued: list[list[float]]
 ) -> None:
     asked, values = numbers(typed), np.array(issued)
-    found = same_as_issued(asked, in_order(SparseTable.of_table(values)))
+    found = same_as_issued(asked, all_of(asked), in_order(SparseTable.of_table(values)))
     expected = {
         (index, owner)
         for index, (column, value, unit) in enumerate(
@@ -55,7 +58,7 @@ def test_every_variant_within_one_unit_of_the_last_digit_is_found(
 @given(typed=TABLES)
 def test_everybody_else_who_typed_the_same_is_found(typed: list[list[float]]) -> None:
     asked = numbers(typed)
-    found = same_as_typed(asked, typed_in_order(asked, ROWS, COLUMNS))
+    found = same_as_typed(asked, all_of(asked), in_order(SparseTable.of_table(np.array(typed))))
     number, owner = found.owners(np.arange(len(asked.value)))
     pairs = set(zip(number.tolist(), owner.tolist(), strict=True))
     for one in range(len(asked.value)):
@@ -63,6 +66,27 @@ def test_everybody_else_who_typed_the_same_is_found(typed: list[list[float]]) ->
             same = asked.column[one] == asked.column[two] and asked.value[one] == asked.value[two]
             if same and asked.row[one] != asked.row[two]:
                 assert (one, asked.row[two]) in pairs
+
+
+@given(typed=TABLES, issued=TABLES)
+def test_a_number_that_is_not_looked_for_is_nobodys(
+    typed: list[list[float]], issued: list[list[float]]
+) -> None:
+    asked, others = numbers(typed), in_order(SparseTable.of_table(np.array(issued)))
+    every, which = same_as_issued(asked, all_of(asked), others), asked.column != 1
+    some = same_as_issued(asked, which, others)
+    assert (some.after - some.first == np.where(which, every.after - every.first, 0)).all()
+    assert (some.share == np.where(which, every.share, 0.0)).all()
+
+
+@given(table=TABLES)
+def test_numbers_are_found_by_column_and_in_each_by_row(table: list[list[float]]) -> None:
+    values, found = np.array(table), SparseTable.of_table(np.array(table))
+    begins, order = found.by_column
+    for column in range(COLUMNS):
+        there = values[:, column]
+        mine = found.value[order[begins[column] : begins[column + 1]]]
+        assert mine.tolist() == there[np.isfinite(there)].tolist()
 
 
 @pytest.mark.parametrize(

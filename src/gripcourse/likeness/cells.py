@@ -5,8 +5,7 @@ A cohort of ten thousand has some seven million cells; of one in ten anything is
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from itertools import pairwise
-from typing import Any, TypeAlias
+from typing import Any, Final, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,15 +13,18 @@ from numpy.typing import NDArray
 Floats: TypeAlias = NDArray[np.float64]
 Ints: TypeAlias = NDArray[np.signedinteger[Any]]
 Bits: TypeAlias = NDArray[np.uint8]
+Flags: TypeAlias = NDArray[np.bool_]
+
+_AT_ONCE: Final = 100_000  # cells that are put in another order together
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class SparseTable:
-    """The finite numbers of a table, column by column.
+    """The finite numbers of a table, row by row.
 
     Attributes:
         rows, columns: of the table.
-        key: (cells,); column times rows, plus row; ascending; of 32 bits where they are enough.
+        key: (cells,); row times columns, plus column; ascending; of 32 bits where they are enough.
         value: (cells,); finite.
     """
 
@@ -35,7 +37,7 @@ class SparseTable:
     def of(cls, shape: tuple[int, int], row: Ints, column: Ints, value: Floats) -> "SparseTable":
         """Put numbers into a table; of several in one cell the last counts."""
         rows, columns = shape
-        key, known = _keys(shape, row, column), np.isfinite(value)
+        key, known = keys_of(shape, row, column), np.isfinite(value)
         if not known.all():
             key, value = key[known], value[known]
         order = np.argsort(key, kind="stable")
@@ -47,7 +49,7 @@ class SparseTable:
     def joined(cls, shape: tuple[int, int], parts: Sequence["SparseTable"]) -> "SparseTable":
         """Put tables of this shape together, no two of which have the same cell."""
         rows, columns = shape
-        nothing = _keys(shape, np.zeros(0, dtype=np.int32), np.zeros(0, dtype=np.int32))
+        nothing = keys_of(shape, np.zeros(0, dtype=np.int32), np.zeros(0, dtype=np.int32))
         key = np.concatenate([nothing, *(one.key for one in parts)])
         key.sort()
         value = np.empty(len(key))
@@ -67,7 +69,7 @@ class SparseTable:
         """Return the numbers of cells, NaN for the empty ones."""
         if not len(self.key):
             return np.full(np.broadcast(row, column).shape, np.nan)
-        wanted = _keys((self.rows, self.columns), row, column)
+        wanted = keys_of((self.rows, self.columns), row, column)
         place = np.minimum(np.searchsorted(self.key, wanted), len(self.key) - 1)
         return np.where(self.key[place] == wanted, self.value[place], np.nan)
 
@@ -78,28 +80,39 @@ class SparseTable:
     @property
     def place(self) -> tuple[Ints, Ints]:
         """Row and column of each number: (cells,) each."""
-        column, row = np.divmod(self.key, max(self.rows, 1))
+        row, column = np.divmod(self.key, max(self.columns, 1))
         return row, column
 
     @property
-    def begins(self) -> Ints:
-        """Where the numbers of each column begin, and where those of the last one end."""
-        ends = np.arange(1, self.columns + 1) * self.rows - 1  # of each column, its last key
-        after = np.searchsorted(self.key, ends.astype(self.key.dtype), "right")
-        return np.concatenate(([0], after))
+    def by_column(self) -> tuple[Ints, Ints]:
+        """Where the numbers are, one column after the other, in each by row.
 
-    @property
-    def bits(self) -> Bits:
-        """Which cells have a number: of each row a bit for each column, as `np.packbits`."""
-        found = np.zeros((self.rows, -(-self.columns // 8)), dtype=np.uint8)
-        for column, (begin, end) in enumerate(pairwise(self.begins.tolist())):
-            found[self.key[begin:end] - column * self.rows, column // 8] |= 128 >> column % 8
-        return found
+        Returns:
+            (columns + 1,), where each column begins in what follows, and where the last one ends;
+            (cells,), the places of the numbers.
+        """
+        parts = [slice(at, at + _AT_ONCE) for at in range(0, len(self.key), _AT_ONCE)]
+        counts = np.zeros((len(parts), self.columns), dtype=np.intp)
+        for number, part in enumerate(parts):
+            counts[number] = np.bincount(self.key[part] % self.columns, minlength=self.columns)
+        begins = np.concatenate(([0], np.cumsum(counts.sum(axis=0))))
+        order = np.empty(len(self.key), dtype=np.int32)
+        # All at once would take as much room again.
+        for at, count, part in zip(begins[:-1] + _before(counts), counts, parts, strict=True):
+            mine = np.argsort(self.key[part] % self.columns, kind="stable")
+            place = np.repeat(at - _before(count), count) + np.arange(len(mine))
+            order[place] = part.start + mine
+        return begins, order
 
 
-def _keys(shape: tuple[int, int], row: Ints, column: Ints) -> Ints:
-    """Return the keys of cells; see `SparseTable`."""
+def _before(counts: Ints) -> Ints:
+    """Return of each count the sum of those before it."""
+    return np.asarray(np.cumsum(counts, axis=0) - counts)
+
+
+def keys_of(shape: tuple[int, int], row: Ints, column: Ints) -> Ints:
+    """Return the keys of cells, of 32 bits where they are enough; see `SparseTable`."""
     rows, columns = shape
-    if rows * columns <= np.iinfo(np.int32).max:
-        return column.astype(np.int32) * rows + row.astype(np.int32)
-    return column.astype(np.int64) * rows + row.astype(np.int64)
+    kind = np.int32 if rows * columns <= np.iinfo(np.int32).max else np.int64
+    begin = np.multiply(row, columns, dtype=kind)
+    return np.asarray(np.add(begin, column, dtype=kind))

@@ -17,17 +17,12 @@ from typing import Final
 import numpy as np
 
 from gripcourse.likeness.cells import Floats, Ints
+from gripcourse.likeness.chance import SharedMethods, chance_of, common_mistakes
 from gripcourse.likeness.issued import IssuedValues
-from gripcourse.likeness.matches import (
-    OrderedValues,
-    in_order,
-    same_as_issued,
-    same_as_typed,
-    typed_in_order,
-)
+from gripcourse.likeness.matches import OrderedValues, in_order, same_as_issued, same_as_typed
 from gripcourse.likeness.model import Chances, ComparedWork, Evidence, NumberKind
 from gripcourse.likeness.odds import PairMatches, likely_pairs, log_odds, rests_on
-from gripcourse.likeness.pool import ComparisonPool, SharedMethods, chance_of, pool, shared_methods
+from gripcourse.likeness.pool import ComparisonPool, PooledPart, pool
 from gripcourse.likeness.typed_numbers import none_typed
 from gripcourse.policy.model import LikenessRule
 
@@ -81,8 +76,8 @@ def _of_issued(
     ordered = in_order(pooled.issued.values)
     found: list[Evidence] = []
     pairs: set[tuple[str, str]] = set()
-    for part in _portions(pooled):
-        taken = taken_from_issued(pooled.part(part), ordered, rule, chances)
+    for part in _parts(pooled):
+        taken = taken_from_issued(part, ordered, rule, chances)
         found += other_variants(pooled, taken)
         pairs |= {
             (pooled.students[row], pooled.issued.owners[owner])
@@ -93,21 +88,21 @@ def _of_issued(
 
 def _of_typed(pooled: ComparisonPool, rule: LikenessRule, chances: Chances) -> list[Evidence]:
     """Find the submissions in which the same numbers were typed."""
-    ordered = typed_in_order(pooled.numbers, len(pooled.students), len(pooled.issued.quantities))
-    methods = shared_methods(pooled, chances)
+    ordered = in_order(pooled.typed)
+    mistakes = common_mistakes(pooled, ordered, chances)
     return [
         one
-        for part in _portions(pooled)
-        for one in same_answers(pooled.part(part), ordered, methods.part(part), rule, chances)
+        for part in _parts(pooled)
+        for one in same_answers(part, ordered, mistakes.part(part), rule, chances)
     ]
 
 
-def _portions(pooled: ComparisonPool) -> Iterator[slice]:
+def _parts(pooled: ComparisonPool) -> Iterator[PooledPart]:
     """Part the numbers into those of so many submissions as there is room to compare at a time."""
-    rows = range(0, len(pooled.students), _AT_ONCE)
-    row = pooled.numbers.row
-    begins = np.searchsorted(row, np.array([*rows, len(pooled.students)], dtype=row.dtype))
-    yield from (slice(begin, end) for begin, end in pairwise(begins.tolist()))
+    key, columns = pooled.typed.key, pooled.typed.columns
+    rows = np.array([*range(0, len(pooled.students), _AT_ONCE), len(pooled.students)])
+    begins = np.searchsorted(key, (rows * columns).astype(key.dtype))
+    yield from (pooled.part(slice(begin, end)) for begin, end in pairwise(begins.tolist()))
 
 
 @dataclass(frozen=True, slots=True)
@@ -129,12 +124,13 @@ class TakenNumbers:
 
 
 def taken_from_issued(
-    pooled: ComparisonPool, issued: OrderedValues, rule: LikenessRule, chances: Chances
+    part: PooledPart, issued: OrderedValues, rule: LikenessRule, chances: Chances
 ) -> TakenNumbers:
     """Compare submissions with the right values of all other students' variants."""
+    pooled, wrong = part.pooled, ~part.explained
     least, answers = _least(pooled, rule), max(rule.answers, 1)
-    found = [same_as_issued(pooled.numbers, issued, moved) for moved in chances.moved]
-    compared = tuple(PairMatches(pooled, one, chance_of(pooled, one, chances)) for one in found)
+    found = [same_as_issued(part.numbers, wrong, issued, moved) for moved in chances.moved]
+    compared = tuple(PairMatches(part, one, chance_of(part, one, chances)) for one in found)
     likely = [likely_pairs(one, least, answers) for one in compared]
     pairs = np.unique(np.concatenate(likely))
     row, owner = np.divmod(pairs, len(pooled.issued.owners))
@@ -184,17 +180,18 @@ def owners_of_copies(
 
 
 def same_answers(
-    pooled: ComparisonPool,
+    part: PooledPart,
     typed: OrderedValues,
     methods: SharedMethods,
     rule: LikenessRule,
     chances: Chances,
 ) -> Iterator[Evidence]:
     """Yield for each submission those in which the same numbers were typed beyond chance."""
+    pooled = part.pooled
     least, answers = _least(pooled, rule), max(rule.answers, 1)
-    found = same_as_typed(pooled.numbers, typed)
-    chance = chance_of(pooled, found, chances)
-    compared = PairMatches(pooled, found, chance, methods)
+    found = same_as_typed(part.numbers, ~part.explained, typed)
+    chance = chance_of(part, found, chances)
+    compared = PairMatches(part, found, chance, methods)
     pairs = likely_pairs(compared, least, answers)
     row, other = np.divmod(pairs, len(pooled.students))
     pairs = pairs[pooled.own[row] != pooled.own[other]]

@@ -9,9 +9,8 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 import numpy as np
-from numpy.typing import NDArray
 
-from gripcourse.likeness.cells import Bits, Floats, Ints, SparseTable
+from gripcourse.likeness.cells import Bits, Flags, Floats, Ints, SparseTable
 
 _FIGURES = 3  # that a typed number has at least: a spreadsheet keeps 5,00 as 5
 _OWN_ROUNDING = 0.002  # relative: what intermediate rounding moves a copied value off the exact one
@@ -35,12 +34,6 @@ class ComparedNumbers:
     value: Floats
     unit: Floats
 
-    def part(self, which: slice) -> "ComparedNumbers":
-        """Return some of them."""
-        return ComparedNumbers(
-            self.row[which], self.column[which], self.value[which], self.unit[which]
-        )
-
 
 @dataclass(frozen=True, slots=True)
 class OrderedValues:
@@ -49,27 +42,35 @@ class OrderedValues:
     Attributes:
         values: of owners (rows) and quantities (columns).
         begins: (quantities + 1,); where the numbers of each quantity begin in what follows.
-        ordered: (cells,); the numbers of one quantity after the other, from the smallest up.
-        owner: (cells,); whose each is.
+        order: (cells,); places in `values` of one quantity's numbers after the other's, from the
+            smallest up.
         known: (owners, bytes); which quantities each has a number of, a bit for each.
     """
 
     values: SparseTable
     begins: Ints
-    ordered: Floats
-    owner: NDArray[np.int32]
+    order: Ints
     known: Bits
+
+    def places(self, column: int) -> Ints:
+        """Return where the numbers of a quantity are, from the smallest up."""
+        return self.order[self.begins[column] : self.begins[column + 1]]
+
+    def owner(self, place: Ints) -> Ints:
+        """Return whose the numbers at some places in `values` are."""
+        return self.values.key[place] // self.values.columns
 
 
 @dataclass(frozen=True, slots=True)
 class Matches:
-    """For each typed number the owners that have the same: a run of them in the order of size.
+    """For typed numbers the owners that have the same: a run of them in the order of size.
 
     Attributes:
         numbers: what was typed.
         others: where it was looked for.
         reach: (numbers,); how far the same number may be.
-        first, after: (numbers,); where the run begins, and where it has ended.
+        first, after: (numbers,); where the run begins, and where it has ended; nowhere for a number
+            that was not looked for.
         share: (numbers,); part of all owners of the quantity that have the same, but for those
             whom the number is about.
         window: (numbers,); relative width in which a number counts as the same.
@@ -90,9 +91,9 @@ class Matches:
         number = np.repeat(chosen, count)
         place = start + np.arange(len(number))
         begin = self.others.begins[self.numbers.column[number]]
-        return number, self.others.owner[begin + place].astype(np.intp)
+        return number, self.others.owner(self.others.order[begin + place]).astype(np.intp)
 
-    def are_same(self, number: Ints, owner: Ints) -> NDArray[np.bool_]:
+    def are_same(self, number: Ints, owner: Ints) -> Flags:
         """Tell of pairs of a number and an owner whether that owner has the same."""
         theirs = self.others.values.at(owner, self.numbers.column[number])
         value, reach = self.numbers.value[number], self.reach[number]
@@ -107,39 +108,41 @@ def last_unit(value: Floats, half_unit: Floats) -> Floats:
 
 def in_order(values: SparseTable) -> OrderedValues:
     """Order the numbers of each quantity by size."""
-    begins, ordered = values.begins, np.empty_like(values.value)
-    owner = np.empty(len(ordered), dtype=np.int32)
+    begins, order = values.by_column
+    known = np.zeros((values.rows, -(-values.columns // 8)), dtype=np.uint8)
     for column, (begin, end) in enumerate(pairwise(begins.tolist())):
-        order = begin + np.argsort(values.value[begin:end], kind="stable")
-        ordered[begin:end] = values.value[order]
-        owner[begin:end] = values.key[order] - column * values.rows
-    return OrderedValues(values, begins, ordered, owner, values.bits)
+        mine = order[begin:end]
+        known[values.key[mine] // values.columns, column // 8] |= 128 >> column % 8
+        order[begin:end] = mine[np.argsort(values.value[mine], kind="stable")]
+    return OrderedValues(values, begins, order, known)
 
 
 def same_as_issued(
-    numbers: ComparedNumbers, issued: OrderedValues, moved: float = _OWN_ROUNDING
+    numbers: ComparedNumbers, which: Flags, issued: OrderedValues, moved: float = _OWN_ROUNDING
 ) -> Matches:
-    """Find the variants whose right values the numbers are.
+    """Find the variants whose right values numbers are.
 
     Args:
-        numbers: to find.
+        numbers: what was typed.
+        which: (numbers,); whether each is looked for.
         issued: the right ones.
         moved: relative; how far a taken number may be from the right one, where that is more than
             one unit of its last digit.
     """
     reach = np.maximum(numbers.unit, moved * np.abs(numbers.value))
-    return _matches(numbers, issued, reach * (1 + _SAME), 1)
+    return _matches(numbers, which, issued, reach * (1 + _SAME), 1)
 
 
-def typed_in_order(numbers: ComparedNumbers, rows: int, columns: int) -> OrderedValues:
-    """Order what was typed in all submissions."""
-    return in_order(SparseTable.of((rows, columns), numbers.row, numbers.column, numbers.value))
+def same_as_typed(numbers: ComparedNumbers, which: Flags, typed: OrderedValues) -> Matches:
+    """Find the submissions in which the same was typed, but for rounding; its own is among them.
 
-
-def same_as_typed(numbers: ComparedNumbers, typed: OrderedValues) -> Matches:
-    """Find the submissions in which the same was typed, but for rounding; its own is among them."""
+    Args:
+        numbers: what was typed.
+        which: (numbers,); whether each is looked for.
+        typed: in all submissions.
+    """
     reach = np.maximum(numbers.unit / 2, _SAME * np.abs(numbers.value))
-    return _matches(numbers, typed, reach * (1 + _SAME), 2)  # the pair itself
+    return _matches(numbers, which, typed, reach * (1 + _SAME), 2)  # the pair itself
 
 
 @dataclass(frozen=True, slots=True)
@@ -158,8 +161,9 @@ class Spread:
     def of(cls, values: SparseTable) -> "Spread":
         """Return how the numbers of each column of a table spread."""
         middles, wides = np.zeros(values.columns), np.full(values.columns, _WIDEST_SPREAD)
-        for column, (begin, end) in enumerate(pairwise(values.begins.tolist())):
-            sizes = np.abs(values.value[begin:end])
+        begins, order = values.by_column
+        for column, (begin, end) in enumerate(pairwise(begins.tolist())):
+            sizes = np.abs(values.value[order[begin:end]])
             logs = np.log(sizes[sizes != 0])
             count = max(len(logs), 1)
             middles[column] = _sum(logs) / count
@@ -184,22 +188,25 @@ def _sum(values: Floats) -> float:
     return float(np.add.accumulate(values)[-1]) if len(values) else 0.0
 
 
-def _matches(numbers: ComparedNumbers, others: OrderedValues, reach: Floats, apart: int) -> Matches:
+def _matches(
+    numbers: ComparedNumbers, which: Flags, others: OrderedValues, reach: Floats, apart: int
+) -> Matches:
     """Find for each number the run of owners within reach, by binary search.
 
     Args:
-        numbers: to find.
+        numbers: what was typed.
+        which: (numbers,); whether each is looked for.
         others: where.
         reach: (numbers,); how far a value may be.
         apart: how many of those found do not count as others.
     """
     first = np.zeros(len(numbers.value), dtype=np.intp)
     after, known = first.copy(), first.copy()
-    order = np.argsort(numbers.column, kind="stable")
-    ends = np.searchsorted(numbers.column[order], np.arange(len(others.begins)))
-    for column in np.unique(numbers.column):
-        mine = order[ends[column] : ends[column + 1]]
-        ordered = others.ordered[others.begins[column] : others.begins[column + 1]]
+    wanted = np.flatnonzero(which)
+    wanted = wanted[np.argsort(numbers.column[wanted], kind="stable")]
+    ends = np.flatnonzero(np.diff(numbers.column[wanted])) + 1
+    for mine in np.split(wanted, ends) if len(wanted) else ():
+        ordered = others.values.value[others.places(int(numbers.column[mine[0]]))]
         known[mine] = len(ordered)
         first[mine] = np.searchsorted(ordered, numbers.value[mine] - reach[mine], "left")
         after[mine] = np.searchsorted(ordered, numbers.value[mine] + reach[mine], "right")

@@ -12,8 +12,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gripcourse.likeness.cells import Bits, Floats, Ints
+from gripcourse.likeness.chance import SharedMethods
 from gripcourse.likeness.matches import Matches
-from gripcourse.likeness.pool import ComparisonPool, SharedMethods
+from gripcourse.likeness.pool import ComparisonPool, PooledPart
 
 _TAKEN = (0.1, 0.3, 0.5, 0.7, 0.9, 0.99)  # shares of the numbers that may have been taken
 _SLACK = 1e-6  # of a logarithm: sums in another order
@@ -26,17 +27,22 @@ class PairMatches:
     """One way to compare all submissions with all owners of numbers.
 
     Attributes:
-        pooled: the submissions.
+        part: numbers of some submissions.
         found: equal numbers.
         chance: (numbers,); that a number meets a certain other one without copying, at least; 1
             where it tells nothing.
         shared: what makes it likelier for certain pairs; None where owners made no mistakes.
     """
 
-    pooled: ComparisonPool
+    part: PooledPart
     found: Matches
     chance: Floats
     shared: SharedMethods | None = None
+
+    @property
+    def pooled(self) -> ComparisonPool:
+        """All submissions."""
+        return self.part.pooled
 
     @property
     def owners(self) -> int:
@@ -66,7 +72,7 @@ def likely_pairs(compared: PairMatches, least: float, answers: int) -> Ints:
     Returns:
         In their order: row of the submission times owners, plus row of the owner.
     """
-    row, least = compared.pooled.numbers.row, least - _SLACK
+    row, least = compared.part.numbers.row, least - _SLACK
     weight = -np.log(compared.chance)
     most = np.bincount(row, weight, len(compared.pooled.students))
     telling = np.flatnonzero((weight > 0) & (most[row] >= least))
@@ -111,13 +117,13 @@ def rests_on(compared: PairMatches, pair: int) -> tuple[str, ...]:
     hits, _ = _hits(compared, np.array([pair], dtype=np.intp))
     telling = np.flatnonzero(hits.chance < 1)
     strongest = telling[np.argsort(hits.chance[telling], kind="stable")]
-    columns = compared.pooled.numbers.column[hits.number[strongest]]
+    columns = compared.part.numbers.column[hits.number[strongest]]
     return tuple(compared.pooled.issued.quantities[column] for column in columns)
 
 
 def _portions(compared: PairMatches, numbers: Ints) -> list[Ints]:
     """Part numbers into those of whole submissions, with so many hits as there is room for."""
-    row, found = compared.pooled.numbers.row[numbers], compared.found
+    row, found = compared.part.numbers.row[numbers], compared.found
     hits = np.cumsum(found.after[numbers] - found.first[numbers])
     begins = np.where(np.diff(row, prepend=-1) > 0, np.arange(len(row)), 0)
     portion = hits[np.maximum.accumulate(begins)] // _HITS_AT_ONCE
@@ -125,17 +131,17 @@ def _portions(compared: PairMatches, numbers: Ints) -> list[Ints]:
 
 
 def _told_bits(compared: PairMatches, which: NDArray[np.bool_], begin: int) -> Bits:
-    """Return which quantities each submission has some of the numbers of; see `SparseTable.bits`.
+    """Return which quantities each submission has some of the numbers of, a bit for each.
 
     Args:
         compared: what is compared; numbers are in the order of submissions.
         which: (numbers,); whether each counts.
         begin: the first submission that has a number.
     """
-    pooled = compared.pooled
-    row, column = pooled.numbers.row[which] - begin, pooled.numbers.column[which]
+    numbers = compared.part.numbers
+    row, column = numbers.row[which] - begin, numbers.column[which]
     rows = int(row[-1]) + 1 if len(row) else 0
-    told = np.zeros((rows, len(pooled.issued.quantities)), dtype=np.bool_)
+    told = np.zeros((rows, len(compared.pooled.issued.quantities)), dtype=np.bool_)
     told[row, column] = True
     return np.packbits(told, axis=1)
 
@@ -174,7 +180,7 @@ def _weighed(compared: PairMatches, pairs: Ints, answers: int) -> Floats:
 
 def _hits(compared: PairMatches, pairs: Ints) -> tuple[_Hits, Floats]:
     """Return all equal numbers of pairs, and how many numbers of each pair can be compared."""
-    numbers = compared.pooled.numbers
+    numbers = compared.part.numbers
     row, owner = np.divmod(pairs, compared.owners)
     first, after = (np.searchsorted(numbers.row, row, side) for side in ("left", "right"))
     count = after - first

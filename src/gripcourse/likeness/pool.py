@@ -2,37 +2,37 @@
 
 from array import array
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from itertools import accumulate, islice
 
 import numpy as np
 from numpy.typing import NDArray
 
-from gripcourse.likeness.cells import Floats, Ints
+from gripcourse.likeness.cells import Flags, Floats, Ints, SparseTable, keys_of
 from gripcourse.likeness.issued import IssuedValues
-from gripcourse.likeness.matches import ComparedNumbers, Matches, Spread, density, last_unit
-from gripcourse.likeness.model import Chances, ComparedWork
+from gripcourse.likeness.matches import ComparedNumbers, Spread, last_unit
+from gripcourse.likeness.model import ComparedWork
 from gripcourse.slips.model import SlipId
 
 _FILLER = 3  # unexplained cells with the same number: typed to fill them, not computed
 _AT_ONCE = 100  # submissions that are looked into together
-_SAME_RATIO = 1e-3  # relative: as exactly as people type
-
-Flags = NDArray[np.bool_]
 
 
 @dataclass(frozen=True, slots=True)
 class ComparisonPool:
-    """The numbers of a cohort.
+    """The numbers of a cohort; of ten thousand works a million, so nothing stands here twice.
 
     Attributes:
         students: of the submissions.
         own: row of each submission's student in the table of issued values.
         issued: that table.
         spread: of its values.
-        numbers: what was typed, by submission, then by quantity.
+        typed: what was typed, of submissions (rows) and quantities (columns); never zero.
+        half_unit: (numbers,); half a unit of the last digit of each, as a place in what follows.
+        half_units: all different ones.
         explained: (numbers,); whether a number says nothing.
-        slip: (numbers,); its slip, as a place in what follows; −1 where there is none.
+        slipped: the numbers that have a slip, in their order.
+        slip: of each of these its slip, as a place in what follows.
         common: (slips,); how common each is among those who answered its quantity.
     """
 
@@ -40,19 +40,42 @@ class ComparisonPool:
     own: Ints
     issued: IssuedValues
     spread: Spread
-    numbers: ComparedNumbers
+    typed: SparseTable
+    half_unit: Ints
+    half_units: Floats
     explained: Flags
+    slipped: Ints
     slip: Ints
     common: Floats
 
-    def part(self, which: slice) -> "ComparisonPool":
-        """Return the same students with some of the numbers."""
-        return replace(
-            self,
-            numbers=self.numbers.part(which),
-            explained=self.explained[which],
-            slip=self.slip[which],
-        )
+    def part(self, which: slice) -> "PooledPart":
+        """Return some of the numbers, all that is known of each beside it."""
+        row, column = np.divmod(self.typed.key[which], self.typed.columns)
+        value, half_unit = self.typed.value[which], self.half_units[self.half_unit[which]]
+        slip = np.full(len(value), -1, dtype=np.int32)
+        begin, end = np.searchsorted(self.slipped, (which.start, which.stop))
+        slip[self.slipped[begin:end] - which.start] = self.slip[begin:end]
+        numbers = ComparedNumbers(row, column, value, last_unit(value, half_unit))
+        return PooledPart(self, which, numbers, self.explained[which], slip)
+
+
+@dataclass(frozen=True, slots=True)
+class PooledPart:
+    """Some numbers of a cohort, for a while.
+
+    Attributes:
+        pooled: all of them.
+        which: of these.
+        numbers: what was typed, by submission, then by quantity.
+        explained: (numbers,); whether a number says nothing.
+        slip: (numbers,); its slip; −1 where there is none.
+    """
+
+    pooled: ComparisonPool
+    which: slice
+    numbers: ComparedNumbers
+    explained: Flags
+    slip: Ints
 
 
 def pool(works: Iterable[ComparedWork], issued: IssuedValues) -> ComparisonPool:
@@ -64,38 +87,53 @@ def pool(works: Iterable[ComparedWork], issued: IssuedValues) -> ComparisonPool:
     columns = _Columns(issued.columns)
     students: list[str] = []
     slips: dict[tuple[int, SlipId], int] = {}
-    of_row, of_column, told, values, units, of_slip = (array(kind) for kind in "iibddi")
+    half_units: dict[float, int] = {}
+    keys: list[Ints] = []
+    told, values, of_unit, slipped, of_slip = (array(kind) for kind in "bdiii")
+    answered = np.zeros(len(issued.quantities), dtype=np.intp)
     left = iter(works)
     while portion := tuple(islice(left, _AT_ONCE)):
         found = _Laid.of(portion, columns)
         usable = found.usable
         slip = found.slips(portion, usable, slips)
         chosen = found.chosen(usable)
-        value = found.value[chosen]
-        of_row.frombytes((found.row[chosen] + len(students)).tobytes())
-        of_column.frombytes(found.column[chosen].tobytes())
+        has_slip = np.flatnonzero(slip[chosen] >= 0).astype(np.int32)
+        slipped.frombytes((has_slip + len(values)).tobytes())
+        of_slip.frombytes(slip[chosen[has_slip]].tobytes())
+        so_far = len(students) + len(portion), len(issued.quantities)
+        keys.append(keys_of(so_far, found.row[chosen] + len(students), found.column[chosen]))
         told.frombytes(found.explained[chosen].tobytes())
-        values.frombytes(value.tobytes())
-        units.frombytes(last_unit(value, found.half_unit[chosen]).tobytes())
-        of_slip.frombytes(slip[chosen].tobytes())
+        values.frombytes(found.value[chosen].tobytes())
+        of_unit.frombytes(_numbered(found.half_unit[chosen], half_units).tobytes())
+        answered += np.bincount(found.column[chosen], minlength=len(answered))
         students += (work.student for work in portion)
-    column, slip = np.frombuffer(of_column, np.int32), np.frombuffer(of_slip, np.int32)
     quantity = np.array([place for place, _ in slips], dtype=np.intp)
+    of_all = np.frombuffer(of_slip, np.int32)
     return ComparisonPool(
         students=tuple(students),
-        own=np.array([rows[student] for student in students], dtype=np.intp),
+        own=np.array([rows[student] for student in students], dtype=np.int32),
         issued=issued,
         spread=Spread.of(issued.values),
-        numbers=ComparedNumbers(
-            row=np.frombuffer(of_row, np.int32),
-            column=column,
+        typed=SparseTable(
+            rows=len(students),
+            columns=len(issued.quantities),
+            key=np.concatenate([np.zeros(0, dtype=np.int32), *keys]),
             value=np.frombuffer(values),
-            unit=np.frombuffer(units),
         ),
+        half_unit=np.frombuffer(of_unit, np.int32),
+        half_units=np.array(list(half_units), dtype=np.float64),
         explained=np.frombuffer(told, np.bool_),
-        slip=slip,
-        common=_commonness_of_slips(slip, quantity, column),
+        slipped=np.frombuffer(slipped, np.int32),
+        slip=of_all,
+        common=np.bincount(of_all, minlength=len(quantity)) / answered[quantity],
     )
+
+
+def _numbered(values: Floats, known: dict[float, int]) -> NDArray[np.int32]:
+    """Return the number of each value; new ones become known."""
+    different, place = np.unique(values, return_inverse=True)
+    numbers = [known.setdefault(one, len(known)) for one in different.tolist()]
+    return np.array(numbers, dtype=np.int32)[place]
 
 
 @dataclass(frozen=True, slots=True)
@@ -160,7 +198,11 @@ class _Laid:
     def chosen(self, usable: Flags) -> Ints:
         """Return the places of those that can say anything, by submission, then by quantity."""
         order = np.lexsort((self.column, self.row))
-        return order[usable[order]]
+        order = order[usable[order]]
+        row, column = self.row[order], self.column[order]
+        # Of several of one quantity the last counts.
+        is_last = np.r_[(row[1:] != row[:-1]) | (column[1:] != column[:-1]), True]
+        return np.asarray(order[is_last[: len(order)]])
 
     @property
     def usable(self) -> Flags:
@@ -175,87 +217,3 @@ class _Laid:
         run = np.cumsum(is_first) - 1
         usable[ordered[np.bincount(run)[run] >= _FILLER]] = False
         return usable
-
-
-def chance_of(pooled: ComparisonPool, found: Matches, chances: Chances) -> Floats:
-    """Return how likely each number meets a certain other one without copying.
-
-    Returns:
-        (numbers,); 1 for what is explained.
-    """
-    near = density(pooled.numbers, pooled.spread) * found.window
-    wrong = np.maximum(np.maximum(near, found.share), chances.least)
-    discrete = pooled.issued.discrete[pooled.numbers.column]
-    wrong = np.where(discrete, np.maximum(wrong, chances.discrete), wrong)
-    made = pooled.slip >= 0
-    chance = wrong.copy()
-    chance[made] = np.maximum(
-        wrong[made], np.maximum(pooled.common[pooled.slip[made]], chances.slip)
-    )
-    result: Floats = np.where(pooled.explained, 1.0, np.minimum(chance, 1.0))
-    return result
-
-
-@dataclass(frozen=True, slots=True)
-class SharedMethods:
-    """How likely two students make the same mistake, where it gives them the same number.
-
-    Attributes:
-        pooled: the numbers.
-        likely: (numbers,); that another makes the same mistake.
-    """
-
-    pooled: ComparisonPool
-    likely: Floats
-
-    def part(self, which: slice) -> "SharedMethods":
-        """Return the same for some of the numbers."""
-        return SharedMethods(self.pooled.part(which), self.likely[which])
-
-    def chance(self, number: Ints, owner: Ints) -> Floats:
-        """Return it for pairs of a number and a submission; 0 where they would differ."""
-        pooled, values = self.pooled, self.pooled.issued.values
-        column = pooled.numbers.column[number]
-        right = values.at(pooled.own[pooled.numbers.row[number]], column)
-        theirs = values.at(pooled.own[owner], column)
-        shared = np.isclose(right, theirs, rtol=1e-6, atol=0.0)
-        return np.where(shared, self.likely[number], 0.0)
-
-
-def shared_methods(pooled: ComparisonPool, chances: Chances) -> SharedMethods:
-    """Find out how common each mistake is among those who answered its quantity."""
-    numbers = pooled.numbers
-    likely = np.zeros(len(numbers.value))
-    order = np.argsort(numbers.column, kind="stable").astype(np.int32)
-    ends = np.flatnonzero(np.diff(numbers.column[order])) + 1
-    # One quantity after the other: all of them at once would take as much room again.
-    for mine in np.split(order, ends):
-        right = pooled.issued.values.at(pooled.own[numbers.row[mine]], numbers.column[mine])
-        with np.errstate(divide="ignore", invalid="ignore"):
-            likely[mine] = _commonness(numbers.value[mine] / right)
-    return SharedMethods(pooled, np.maximum(likely, chances.shared, out=likely))
-
-
-def _commonness_of_slips(slip: Ints, quantity: Ints, column: Ints) -> Floats:
-    """Return which part of those who answered a quantity made each slip.
-
-    Args:
-        slip: (numbers,); each one of a quantity has its own number; −1 for none.
-        quantity: (slips,); the quantity of each.
-        column: (numbers,); the quantity of each.
-    """
-    made = np.bincount(slip[slip >= 0], minlength=len(quantity))
-    answered = np.bincount(column, minlength=int(quantity.max(initial=-1)) + 1)
-    return np.asarray(made / answered[quantity])
-
-
-def _commonness(ratio: Floats) -> Floats:
-    """Return which part of a quantity's numbers is off by the same ratio, but for this one."""
-    result = np.zeros(len(ratio))
-    mine = np.flatnonzero(np.isfinite(ratio))
-    ordered = np.sort(ratio[mine])
-    reach = np.abs(ratio[mine]) * _SAME_RATIO
-    low = np.searchsorted(ordered, ratio[mine] - reach, "left")
-    high = np.searchsorted(ordered, ratio[mine] + reach, "right")
-    result[mine] = (high - low - 1) / max(len(mine), 1)
-    return result
