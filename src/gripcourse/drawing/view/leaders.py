@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, TypeVar
 from gripcourse.drawing.paper.document import LineKind
 from gripcourse.drawing.paper.strokes import Box, Line, runs_through
 from gripcourse.drawing.paper.text import Point, add_text, text_width
-from gripcourse.drawing.view.shelves import Places, Shelf, apart, places_in
+from gripcourse.drawing.view.shelves import LeaderShelf, Places, apart, places_in
 
 if TYPE_CHECKING:
     from ezdxf.layouts.layout import Modelspace
@@ -117,10 +117,10 @@ def _orders(leaders: Sequence[Leader]) -> Iterator[Sequence[Leader]]:
 
 
 def _moved_apart(
-    leaders: Sequence[Leader], numbers: Sequence[Box], places: Callable[[Shelf], Places]
+    leaders: Sequence[Leader], numbers: Sequence[Box], places: Callable[[LeaderShelf], Places]
 ) -> list[Leader] | None:
     """Move each shelf of a row by itself; None where lines cross then, or run through numbers."""
-    shelves = [Shelf(one.note.at, one.note.width, one.left) for one in leaders]
+    shelves = [LeaderShelf(one.note.at, one.note.width, one.left) for one in leaders]
     lefts = apart(shelves, leaders[0].level, _BETWEEN, places)
     if lefts is None:
         return None

@@ -24,7 +24,7 @@ _THROUGH: Final = 1e5  # what a line through a mark costs; a shelf that is moved
 
 
 @dataclass(frozen=True, slots=True)
-class Shelf:
+class LeaderShelf:
     """A shelf that is looked for a place.
 
     Attributes:
@@ -55,7 +55,7 @@ class Places:
 
 def places_in(
     level: float, never: Sequence[Box], rather_not: Sequence[Box]
-) -> Callable[[Shelf], Places]:
+) -> Callable[[LeaderShelf], Places]:
     """Return what tells where a shelf can stand in a row; it is asked about many again.
 
     Args:
@@ -66,7 +66,7 @@ def places_in(
     closed, dear = _edges(never), _edges(rather_not)
 
     @cache
-    def places(shelf: Shelf) -> Places:
+    def places(shelf: LeaderShelf) -> Places:
         at, here = shelf.at, shelf.left + _MOVES
         nearer = np.abs(at[0] - here) <= np.abs(at[0] - here - shelf.width)
         ends = np.where(nearer, here, here + shelf.width)
@@ -78,7 +78,10 @@ def places_in(
 
 
 def apart(
-    shelves: Sequence[Shelf], level: float, gap: float, places: Callable[[Shelf], Places]
+    shelves: Sequence[LeaderShelf],
+    level: float,
+    gap: float,
+    places: Callable[[LeaderShelf], Places],
 ) -> list[float] | None:
     """Return where each shelf begins, in the same order and as near to where it stood as can be.
 
