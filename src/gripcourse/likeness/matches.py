@@ -191,7 +191,7 @@ def _sum(values: Floats) -> float:
 def _matches(
     numbers: ComparedNumbers, which: Flags, others: OrderedValues, reach: Floats, apart: int
 ) -> Matches:
-    """Find for each number the run of owners within reach, by binary search.
+    """Find for each number the run of owners within reach.
 
     Args:
         numbers: what was typed.
@@ -200,16 +200,35 @@ def _matches(
         reach: (numbers,); how far a value may be.
         apart: how many of those found do not count as others.
     """
-    first = np.zeros(len(numbers.value), dtype=np.intp)
-    after, known = first.copy(), first.copy()
     wanted = np.flatnonzero(which)
-    wanted = wanted[np.argsort(numbers.column[wanted], kind="stable")]
-    ends = np.flatnonzero(np.diff(numbers.column[wanted])) + 1
-    for mine in np.split(wanted, ends) if len(wanted) else ():
-        ordered = others.values.value[others.places(int(numbers.column[mine[0]]))]
-        known[mine] = len(ordered)
-        first[mine] = np.searchsorted(ordered, numbers.value[mine] - reach[mine], "left")
-        after[mine] = np.searchsorted(ordered, numbers.value[mine] + reach[mine], "right")
-    share = np.maximum(after - first - apart, 0) / np.maximum(known, 1)
+    column, value, near = numbers.column[wanted], numbers.value[wanted], reach[wanted]
+    begin, end = others.begins[column], others.begins[column + 1]
+    first, after = np.zeros((2, len(numbers.value)), dtype=np.intp)
+    first[wanted] = _sought(others, begin, end, value - near, np.less) - begin
+    after[wanted] = _sought(others, begin, end, value + near, np.less_equal) - begin
+    share = np.zeros(len(numbers.value))
+    share[wanted] = np.maximum((after - first)[wanted] - apart, 0) / np.maximum(end - begin, 1)
     window = 2 * (reach / np.abs(numbers.value))
     return Matches(numbers, others, reach, first, after, share, window)
+
+
+def _sought(
+    others: OrderedValues, begin: Ints, end: Ints, value: Floats, is_before: np.ufunc
+) -> Ints:
+    """Return where each value's place is among some of the ordered, by one binary search of all.
+
+    Args:
+        others: the ordered.
+        begin: (values,); where those among which each value is sought begin.
+        end: (values,); where these have ended.
+        value: what is sought.
+        is_before: whether one of the ordered stands before the value's place.
+    """
+    order, values = others.order, others.values.value
+    while (left := begin < end).any():
+        middle = (begin + end) // 2
+        # Where nothing is left, the place may be that after the last.
+        before = is_before(values[order[np.where(left, middle, 0)]], value)
+        begin = np.where(left & before, middle + 1, begin)
+        end = np.where(left & ~before, middle, end)
+    return begin
