@@ -8,7 +8,8 @@ from collections.abc import Callable, Generator
 from pathlib import Path
 
 import pytest
-from hypothesis import settings
+from hypothesis import given, settings
+from hypothesis.strategies import booleans
 from xdist.workermanage import WorkerController
 
 from gripcourse.course.load import load_course
@@ -48,6 +49,15 @@ gc.set_threshold(50_000, 20, 20)
 def pytest_collection_finish() -> None:
     """Keep what is loaded by now, modules and tests, out of every search for garbage."""
     gc.collect()
+    gc.freeze()
+    # Hypothesis searches all objects once for its source of chance: now there are few.
+    given(booleans())(lambda _: None)()
+
+
+@pytest.hookimpl(trylast=True)
+def pytest_sessionfinish() -> None:
+    """Search what the last tests left, not what lived all the time, when everything ends."""
+    gc.collect(1)
     gc.freeze()
 
 

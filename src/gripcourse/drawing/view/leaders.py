@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, TypeVar
 from gripcourse.drawing.paper.document import LineKind
 from gripcourse.drawing.paper.strokes import Box, Line, runs_through
 from gripcourse.drawing.paper.text import Point, add_text, text_width
-from gripcourse.drawing.view.shelves import apart
+from gripcourse.drawing.view.shelves import LeaderShelf, Places, apart, places_in
 
 if TYPE_CHECKING:
     from ezdxf.layouts.layout import Modelspace
@@ -100,7 +100,8 @@ def _apart(
     """
     if not leaders:
         return None
-    moved = (_moved_apart(one, numbers, marks) for one in _orders(leaders))
+    places = places_in(leaders[0].level, numbers, marks)
+    moved = (_moved_apart(one, numbers, places) for one in _orders(leaders))
     found = (one for one in moved if one is not None)
     first = next(found, None)
     return None if first is None else fewest(first, found, lambda one: through(one, marks))
@@ -116,11 +117,11 @@ def _orders(leaders: Sequence[Leader]) -> Iterator[Sequence[Leader]]:
 
 
 def _moved_apart(
-    leaders: Sequence[Leader], numbers: Sequence[Box], marks: Sequence[Box]
+    leaders: Sequence[Leader], numbers: Sequence[Box], places: Callable[[LeaderShelf], Places]
 ) -> list[Leader] | None:
     """Move each shelf of a row by itself; None where lines cross then, or run through numbers."""
-    places = [(one.note.at, one.note.width, one.left) for one in leaders]
-    lefts = apart(places, leaders[0].level, _BETWEEN, numbers, marks)
+    shelves = [LeaderShelf(one.note.at, one.note.width, one.left) for one in leaders]
+    lefts = apart(shelves, leaders[0].level, _BETWEEN, places)
     if lefts is None:
         return None
     found = [replace(one, left=left) for one, left in zip(leaders, lefts, strict=True)]

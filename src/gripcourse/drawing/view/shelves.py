@@ -3,7 +3,10 @@
 Lengths are millimetres of paper, in the coordinates of the face.
 """
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from functools import cache
+from itertools import pairwise
 from typing import Final
 
 import numpy as np
@@ -16,63 +19,126 @@ Numbers = NDArray[np.float64]
 
 _STEP: Final = 1.0  # from one place of a shelf to the next
 _AROUND: Final = 30.0  # mm that a shelf is moved at most
+_MOVES: Final = np.arange(-_AROUND, _AROUND + _STEP, _STEP)
 _THROUGH: Final = 1e5  # what a line through a mark costs; a shelf that is moved, its square
 
 
+@dataclass(frozen=True, slots=True)
+class LeaderShelf:
+    """A shelf that is looked for a place.
+
+    Attributes:
+        at: the point that its line begins at.
+        width: of the shelf.
+        left: where it begins now.
+    """
+
+    at: Point
+    width: float
+    left: float
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Places:
+    """Where a shelf can stand: (places,) each.
+
+    Attributes:
+        lefts: where it begins.
+        knees: where its line meets it.
+        costs: what speaks against it; infinite where it cannot be.
+    """
+
+    lefts: Numbers
+    knees: Numbers
+    costs: Numbers
+
+
+def places_in(
+    level: float, never: Sequence[Box], rather_not: Sequence[Box]
+) -> Callable[[LeaderShelf], Places]:
+    """Return what tells where a shelf can stand in a row; it is asked about many again.
+
+    Args:
+        level: height of the row.
+        never: what no line may run through.
+        rather_not: what as few lines as can be run through.
+    """
+    closed, dear = _edges(never), _edges(rather_not)
+
+    @cache
+    def places(shelf: LeaderShelf) -> Places:
+        at, here = shelf.at, shelf.left + _MOVES
+        nearer = np.abs(at[0] - here) <= np.abs(at[0] - here - shelf.width)
+        ends = np.where(nearer, here, here + shelf.width)
+        costs = _MOVES**2 + _THROUGH * _through(at, ends, level, dear)
+        costs[_through(at, ends, level, closed) > 0] = np.inf
+        return Places(here, ends, costs)
+
+    return places
+
+
 def apart(
-    places: Sequence[tuple[Point, float, float]],
+    shelves: Sequence[LeaderShelf],
     level: float,
     gap: float,
-    never: Sequence[Box],
-    rather_not: Sequence[Box],
+    places: Callable[[LeaderShelf], Places],
 ) -> list[float] | None:
     """Return where each shelf begins, in the same order and as near to where it stood as can be.
 
     Args:
-        places: of each shelf the point that its line begins at, its width, and where it begins now.
+        shelves: from left to right.
         level: height of the row of shelves.
         gap: from one shelf to the next.
-        never: what no line may run through.
-        rather_not: what as few lines as can be run through.
+        places: see `places_in`.
 
     Returns:
         None where every row lets a line through what it may not, or two lines cross.
     """
-    moves = np.arange(-_AROUND, _AROUND + _STEP, _STEP)
-    total, ways = np.zeros(1), list[NDArray[np.intp]]()
-    lefts, knees = np.full(1, -np.inf), np.zeros(1)
-    before: tuple[Point, float] = ((0.0, 0.0), 0.0)
-    for at, width, left in places:
-        here = left + moves
-        ends = np.where(np.abs(at[0] - here) <= np.abs(at[0] - here - width), here, here + width)
-        own = moves**2 + _THROUGH * _through(at, ends, level, rather_not)
-        own[_through(at, ends, level, never) > 0] = np.inf
-        apart_enough = lefts[:, None] + before[1] + gap <= here[None, :]
-        if ways:
-            apart_enough &= ~_cross(before[0], knees, at, ends, level)
-        cost = np.where(apart_enough, total[:, None], np.inf)
+    if not shelves:
+        return None
+    here = places(shelves[0])
+    total, ways = here.costs, list[NDArray[np.intp]]()
+    for before, shelf in pairwise(shelves):
+        left, here = here, places(shelf)
+        fits = (left.lefts + before.width + gap)[:, None] <= here.lefts
+        fits &= ~_cross(before.at, left.knees, shelf.at, here.knees, level)
+        cost = np.where(fits, total[:, None], np.inf)
         ways.append(cost.argmin(axis=0))
-        total = cost.min(axis=0) + own
-        lefts, knees, before = here, ends, (at, width)
-    if not ways or not np.isfinite(total).any():
+        total = cost.min(axis=0) + here.costs
+    if not np.isfinite(total).any():
         return None
     chosen = [int(total.argmin())]
-    for way in reversed(ways[1:]):
+    for way in reversed(ways):
         chosen.append(int(way[chosen[-1]]))
-    moved = moves[chosen[::-1]]
-    return [float(left + by) for (_, _, left), by in zip(places, moved, strict=True)]
+    moved = _MOVES[chosen[::-1]]
+    return [float(shelf.left + by) for shelf, by in zip(shelves, moved, strict=True)]
 
 
-def _through(at: Point, ends: Numbers, level: float, boxes: Sequence[Box]) -> NDArray[np.intp]:
-    """Return how many boxes the lines from a point to places on a level run through."""
-    found = np.zeros(len(ends), dtype=np.intp)
+def _through(at: Point, ends: Numbers, level: float, edges: Numbers) -> NDArray[np.intp]:
+    """Return how many boxes the lines from a point to places on a level run through.
+
+    Args:
+        at: where all lines begin.
+        ends: (lines,); where on the level each ends.
+        level: its height.
+        edges: of the boxes; see `_edges`.
+    """
     rise = level - at[1]
-    for box in boxes:
-        low, high = max(box.bottom, min(at[1], level)), min(box.top, max(at[1], level))
-        if low < high and rise:
-            xs = [at[0] + (ends - at[0]) * (y - at[1]) / rise for y in (low, high)]
-            found += (np.minimum(*xs) < box.right) & (box.left < np.maximum(*xs))
-    return found
+    low = np.maximum(edges[1], min(at[1], level))
+    high = np.minimum(edges[3], max(at[1], level))
+    if not rise:
+        return np.zeros(len(ends), dtype=np.intp)
+    met = low < high
+    heights = np.stack((low[met], high[met]))[:, :, None]
+    xs = at[0] + (ends - at[0]) * (heights - at[1]) / rise
+    within = (xs.min(axis=0) < edges[2, met, None]) & (edges[0, met, None] < xs.max(axis=0))
+    return np.asarray(within.sum(axis=0))
+
+
+def _edges(boxes: Sequence[Box]) -> Numbers:
+    """Return left, bottom, right and top edges of boxes: (4, boxes)."""
+    sides = [(box.left, box.bottom, box.right, box.top) for box in boxes]
+    return np.array(sides, dtype=np.float64).reshape(-1, 4).T
 
 
 def _cross(
