@@ -50,6 +50,23 @@ class TestOneWayOfThinkingAtBothEnds:
         answers |= {name: levers.reference[name] / 57.29578 for name in names}
         assert levers.lost(answers) == {names[0]}
 
+    def test_a_small_angle_in_radians_is_known_by_the_large_one_beside_it(
+        self, table: "tuple[Case, ...]"
+    ) -> None:
+        # Of half a degree nobody can tell radians from the sine.
+        names = [f"grip_arm_tilt_{position}" for position in ("at_max", "at_min")]
+        small = next(
+            one
+            for one in table
+            if set(names) <= set(one.answers)
+            and abs(one.reference[names[0]]) < 1
+            and abs(one.reference[names[1]]) > 5
+        )
+        answers = dict(small.answers)
+        answers |= {name: float(f"{small.reference[name] / 57.29578:.6g}") for name in names}
+        assert small.lost(answers) == {names[1]}
+        assert small.findings(answers)[names[0]].roots == (names[1],)
+
     def test_a_work_that_calculates_nothing_earns_nothing_by_it(self, levers: "Case") -> None:
         nothing = dict.fromkeys(levers.answers, 7.0) | for_one_jaw_alone(levers)
         findings = levers.findings(nothing)
