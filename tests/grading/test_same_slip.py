@@ -9,7 +9,10 @@ from gripcourse.formula.tree import form
 from gripcourse.grading.model import Outcome
 
 if TYPE_CHECKING:
-    from conftest import Case
+    from collections.abc import Callable
+
+    from conftest import Case, DrawMore
+    from gripcourse.submission.model import Answer
 
 ENDS = ("force_ratio_at_max", "force_ratio_at_min")
 
@@ -51,21 +54,27 @@ class TestOneWayOfThinkingAtBothEnds:
         assert levers.lost(answers) == {names[0]}
 
     def test_a_small_angle_in_radians_is_known_by_the_large_one_beside_it(
-        self, table: "tuple[Case, ...]"
+        self, draw_more: "DrawMore", typed: "Callable[..., Answer]"
     ) -> None:
         # Of half a degree nobody can tell radians from the sine.
-        names = [f"grip_arm_tilt_{position}" for position in ("at_max", "at_min")]
-        small = next(
+        small, large = "grip_arm_tilt_at_max", "grip_arm_tilt_at_min"
+
+        def in_radians(case: "Case", *names: str) -> "dict[str, Answer]":
+            meant = case.answers | {name: case.reference[name] / 57.29578 for name in names}
+            return {name: typed(name, value, 6) for name, value in meant.items()}
+
+        doubtful = [
             one
-            for one in table
-            if set(names) <= set(one.answers)
-            and abs(one.reference[names[0]]) < 1
-            and abs(one.reference[names[1]]) > 5
-        )
-        answers = dict(small.answers)
-        answers |= {name: float(f"{small.reference[name] / 57.29578:.6g}") for name in names}
-        assert small.lost(answers) == {names[1]}
-        assert small.findings(answers)[names[0]].roots == (names[1],)
+            for one in draw_more({"cross_cylinder", "slot_crosshead", "plain_lever"})
+            if abs(one.reference[small]) < 1
+            and abs(one.reference[large]) > 5
+            and one.findings(in_radians(one, small))[small].outcome is Outcome.WRONG
+        ]
+        assert doubtful
+        for case in doubtful:
+            findings = case.findings(in_radians(case, small, large))
+            assert findings[large].outcome is Outcome.SLIP
+            assert findings[small].roots == (large,)
 
     def test_a_work_that_calculates_nothing_earns_nothing_by_it(self, levers: "Case") -> None:
         nothing = dict.fromkeys(levers.answers, 7.0) | for_one_jaw_alone(levers)
