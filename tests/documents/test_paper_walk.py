@@ -4,6 +4,7 @@ The student of `support.paper_walk` computes every answer from the printed text,
 and equations that were written without a look at the declarations.
 """
 
+import re
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Final
@@ -26,6 +27,8 @@ from support.paper_walk import UNITS, equations_of, read_item, walk
 REPOSITORY: Final = Path(__file__).parents[2]
 SCHEMES: Final = sorted(one.name for one in (REPOSITORY / "variants" / "schemes").iterdir())
 PAPER: Final = Words("en")
+# What an angle is counted from, or which way.
+_WHENCE: Final = re.compile("positive|without a sign|from the ")
 
 
 def parts_of(variant: Variant, course: Course) -> tuple[str, ...]:
@@ -77,3 +80,18 @@ def answer_from_paper(variant: Variant, course: Course, policy: Policy) -> None:
         reach = 0.0 if exact else band(quantity, right, policy)
         off = abs(answers[quantity.id] - right)
         assert off <= max(reach, 1e-9 * abs(right)), (variant.id, quantity.id)
+
+
+def test_an_angle_that_is_obtuse_or_negative_anywhere_says_whence_it_is_counted(
+    course: Course, policy: Policy
+) -> None:
+    silent: dict[tuple[str, str], str] = {}
+    for variant in issued_table(course):
+        plan = make_plan(course, variant.scheme, variant.options)
+        reference = solve_variant(plan, variant.given)
+        told = asked_items(plan.answered, plan, policy, PAPER)
+        for quantity, item in zip(plan.answered, told, strict=True):
+            sharp = 0 <= reference[quantity.id] <= 90
+            if quantity.unit == "deg" and not sharp and not _WHENCE.search(item.text):
+                silent[variant.scheme, quantity.id] = item.text
+    assert silent == {}

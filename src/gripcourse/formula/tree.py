@@ -136,6 +136,30 @@ def names(node: Node) -> tuple[str, ...]:
     return tuple(name for name in found if name not in CONSTANTS)
 
 
+def form(node: Node) -> tuple[object, ...]:
+    """Return what two formulas have in common that compute alike with other quantities.
+
+    Quantities count by their places alone: `a*(b - c)/c` has the form of `d*(e - f)/f`, and not
+    that of `a*(b - c)/b`.
+    """
+    places = {name: place for place, name in enumerate(names(node))}
+    return tuple(_said(part, places) for part in walk(node))
+
+
+def _said(node: Node, places: Mapping[str, int]) -> tuple[object, ...]:
+    match node:
+        case Name(name):
+            return ("name", places.get(name, name))
+        case Number(value):
+            return ("number", value)
+        case Operation(operator, _, _):
+            return ("operation", operator)
+        case Negation(_):
+            return ("negation",)
+        case Call(function, arguments, column):
+            return ("call", function, len(arguments), column)
+
+
 def choices_of_two(node: Node) -> Iterator[Call]:
     """Yield the calls that take the greater or lesser of two values, each of other quantities."""
     for part in walk(node):

@@ -18,6 +18,7 @@ from gripcourse.grading.flags import flags_of
 from gripcourse.grading.intended import as_intended
 from gripcourse.grading.model import Cause, Finding, Outcome, Report, sums_of
 from gripcourse.grading.same_number import same_number_once
+from gripcourse.grading.same_slip import same_slip_once
 from gripcourse.grading.significant_digits import figures_remark
 from gripcourse.grading.submission_case import (
     GradingCase,
@@ -55,7 +56,8 @@ def judge(
     3. intended: what follows from a number that was only written down wrongly is no mistake; a
        constant that was shortened too far, or two numbers in each other's cells, cost once.
     4. settled: what one number used wrongly explains costs once, where it is used first; a number
-       that is asked for in several cells costs once too.
+       that is asked for in several cells costs once too, and so does one wrong method in formulas
+       that are alike.
     5. supported: in a work that hardly calculates, what follows needs what it follows from.
     6. findings: conclusions with points, remarks, and the wrong answers at their root.
 
@@ -75,7 +77,7 @@ def judge(
     substituted = extended(case, intended, found)
     settled = [_substituted(case, one, by_answer(substituted)) for one in intended]
     if is_calculated(case, settled):
-        settled = same_number_once(case, settled)
+        settled = same_slip_once(case, same_number_once(case, settled))
     supported = withhold_unsupported(case, settled)
     findings = _findings(case, supported)
     return _report(submission, issued, case, findings, causes_of(plan, findings, substituted))

@@ -1,0 +1,90 @@
+"""One wrong method in formulas that are alike: whoever thinks wrongly at both ends thinks so once.
+
+Positions, jaws and directions are computed by one formula with other numbers. A factor left out of
+it, or a sign the wrong way round, is one mistake wherever it is written down.
+"""
+
+from collections.abc import Mapping, Sequence
+from typing import TypeAlias
+
+from gripcourse.course.quantity import Kind
+from gripcourse.formula.tree import form
+from gripcourse.grading.explain import weigh
+from gripcourse.grading.submission_case import (
+    GradingCase,
+    JudgedAnswer,
+    cost_already,
+    is_unexplained,
+)
+from gripcourse.slips.model import USED, SlipId
+from gripcourse.text.words import message
+
+_Alike: TypeAlias = tuple[str, tuple[object, ...]]
+_Mistake: TypeAlias = tuple[SlipId, _Alike]
+
+
+def same_slip_once(case: GradingCase, judged: Sequence[JudgedAnswer]) -> list[JudgedAnswer]:
+    """Let a slip that is made in several formulas of one form cost the first of them.
+
+    Args:
+        case: the submission.
+        judged: every answer.
+
+    Returns:
+        The same in the same order.
+    """
+    order = {name: rank for rank, name in enumerate(case.plan.quantities)}
+    first: dict[_Mistake, str] = {}
+    for one in sorted(judged, key=lambda each: order.get(each.quantity.id, 0)):
+        mistake = _named(case, one)
+        if mistake is not None:
+            first.setdefault(mistake, one.quantity.id)
+    return [_once(case, one, first) for one in judged]
+
+
+def _alike(case: GradingCase, judged: JudgedAnswer) -> _Alike | None:
+    """Return what an answer has in common with those that are computed alike."""
+    formula = case.plan.reference_formula(judged.quantity.id)
+    if formula is None or judged.quantity.kind is not Kind.FORMULA:
+        return None
+    return judged.quantity.unit, form(formula.tree)
+
+
+def _named(case: GradingCase, judged: JudgedAnswer) -> _Mistake | None:
+    """Return what was done wrongly, and in a formula of which form, where that is named."""
+    slip, alike = judged.judgement.slip, _alike(case, judged)
+    mistaken = judged.judgement.outcome.traits.mistake
+    if not mistaken or slip is None or slip.kind == USED or alike is None:
+        return None
+    return slip, alike
+
+
+def _once(case: GradingCase, judged: JudgedAnswer, first: Mapping[_Mistake, str]) -> JudgedAnswer:
+    mistake = _named(case, judged) or _repeated(case, judged, first)
+    root = judged.quantity.id if mistake is None else first[mistake]
+    if root == judged.quantity.id:
+        return judged
+    said = message(
+        "The same mistake as in {title}; that has cost already.",
+        title=case.plan.quantities[root].short_title,
+    )
+    return cost_already(case, judged, root, said)
+
+
+def _repeated(
+    case: GradingCase, judged: JudgedAnswer, first: Mapping[_Mistake, str]
+) -> _Mistake | None:
+    """Return a slip of a formula that is alike, where it gives this answer too.
+
+    Alone it was in doubt: of a small angle nobody can tell radians from its sine.
+    """
+    alike, comparison = _alike(case, judged), judged.comparison
+    if alike is None or comparison is None or not is_unexplained(case, judged):
+        return None
+    slips = {slip for slip, of in first if of == alike}
+    if not slips:
+        return None
+    met = weigh(
+        comparison, [one for one in case.candidates_of(judged.quantity.id) if one.id in slips]
+    )
+    return (met[0].candidate.id, alike) if met else None

@@ -1,0 +1,132 @@
+"""A wrong method in two formulas that are alike, at both ends of a range, is one mistake."""
+
+from typing import TYPE_CHECKING
+
+import pytest
+
+from gripcourse.formula.parse import parse
+from gripcourse.formula.tree import form
+from gripcourse.grading.model import Outcome
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from conftest import Case, DrawMore
+    from gripcourse.submission.model import Answer
+
+ENDS = ("force_ratio_at_max", "force_ratio_at_min")
+
+
+@pytest.fixture(scope="module")
+def levers(table: "tuple[Case, ...]") -> "Case":
+    """Two levers, whose ratio P/F is asked for at both ends of the range."""
+    return next(one for one in table if one.plan.scheme.id == "plain_lever")
+
+
+def for_one_jaw(case: "Case") -> dict[str, float]:
+    """P/F as if the rod closed one of the two jaws: half of it, at both ends."""
+    return case.following(**{name: case.reference[name] / 2 for name in ENDS})
+
+
+class TestOneWayOfThinkingAtBothEnds:
+    def test_it_costs_the_first_end_alone(self, levers: "Case") -> None:
+        assert levers.lost(for_one_jaw(levers)) == {ENDS[0]}
+
+    def test_the_other_end_says_where_it_has_cost(self, levers: "Case") -> None:
+        later = levers.findings(for_one_jaw(levers))[ENDS[1]]
+        assert later.outcome is Outcome.CARRIED
+        assert later.roots == (ENDS[0],)
+        assert str(later.message).startswith("The same mistake as in force ratio")
+
+    def test_a_sign_that_is_wrong_in_every_position_costs_once(self, levers: "Case") -> None:
+        # β = 90° − χ − ψ, and ψ the wrong way round.
+        names = [f"drive_arm_angle_{position}" for position in ("at_max", "at_min", "open")]
+        twice = 2 * levers.given["drive_arm_tilt"]
+        answers = levers.following(**{name: levers.reference[name] + twice for name in names})
+        assert levers.lost(answers) == {names[0]}
+
+    def test_an_angle_that_is_left_in_radians_in_every_cell_costs_once(
+        self, levers: "Case"
+    ) -> None:
+        names = [f"drive_arm_angle_{position}" for position in ("at_max", "at_min", "open")]
+        answers = dict(levers.answers)
+        answers |= {name: levers.reference[name] / 57.29578 for name in names}
+        assert levers.lost(answers) == {names[0]}
+
+    def test_a_small_angle_in_radians_is_known_by_the_large_one_beside_it(
+        self, draw_more: "DrawMore", typed: "Callable[..., Answer]"
+    ) -> None:
+        # Of half a degree nobody can tell radians from the sine.
+        small, large = "grip_arm_tilt_at_max", "grip_arm_tilt_at_min"
+
+        def in_radians(case: "Case", *names: str) -> "dict[str, Answer]":
+            meant = case.answers | {name: case.reference[name] / 57.29578 for name in names}
+            return {name: typed(name, value, 6) for name, value in meant.items()}
+
+        doubtful = [
+            one
+            for one in draw_more({"cross_cylinder", "slot_crosshead", "plain_lever"})
+            if abs(one.reference[small]) < 1
+            and abs(one.reference[large]) > 5
+            and one.findings(in_radians(one, small))[small].outcome is Outcome.WRONG
+        ]
+        assert doubtful
+        for case in doubtful:
+            findings = case.findings(in_radians(case, small, large))
+            assert findings[large].outcome is Outcome.SLIP
+            assert findings[small].roots == (large,)
+
+    def test_a_work_that_calculates_nothing_earns_nothing_by_it(self, levers: "Case") -> None:
+        nothing = dict.fromkeys(levers.answers, 7.0) | for_one_jaw_alone(levers)
+        findings = levers.findings(nothing)
+        assert findings[ENDS[1]].points == 0
+
+
+def for_one_jaw_alone(case: "Case") -> dict[str, float]:
+    return {name: case.reference[name] / 2 for name in ENDS}
+
+
+class TestMistakesOfTheirOwn:
+    def test_two_wrong_methods_cost_twice(self, levers: "Case") -> None:
+        # One end for one jaw, the other with the arms upside down: P/F = 2·h2·sin β/(h1·cos χ).
+        upside_down = 4 / levers.reference[ENDS[1]]
+        answers = levers.following(**{ENDS[0]: levers.reference[ENDS[0]] / 2, ENDS[1]: upside_down})
+        assert levers.lost(answers) == {*ENDS}
+
+    def test_one_end_alone_costs_that_end(self, levers: "Case") -> None:
+        answers = levers.following(**{ENDS[1]: levers.reference[ENDS[1]] / 2})
+        assert levers.lost(answers) == {ENDS[1]}
+
+    def test_two_numbers_that_nothing_explains_cost_twice(self, levers: "Case") -> None:
+        right = levers.reference
+        answers = levers.following(
+            **{ENDS[0]: 1.37 * right[ENDS[0]], ENDS[1]: 1.61 * right[ENDS[1]]}
+        )
+        assert levers.lost(answers) == {*ENDS}
+
+
+@pytest.mark.parametrize(
+    ("one", "other"),
+    [
+        ("2*a*cos(b)/c", "2*d*cos(e)/c"),
+        ("a*(b - c)/c", "d*(e - f)/f"),
+        ("max(a, b)", "max(c, d)"),
+    ],
+)
+def test_formulas_are_alike_that_compute_alike_with_other_quantities(one: str, other: str) -> None:
+    assert form(parse(one)) == form(parse(other))
+
+
+@pytest.mark.parametrize(
+    ("one", "other"),
+    [
+        ("2*a*cos(b)/c", "2*a*sin(b)/c"),
+        ("2*a*cos(b)/c", "3*a*cos(b)/c"),
+        ("a*(b - c)/c", "a*(b - c)/b"),
+        ("a - b", "a + b"),
+        ("-a", "a"),
+        ("pi*a", "b*a"),
+    ],
+)
+def test_formulas_are_not_alike_that_compute_otherwise(one: str, other: str) -> None:
+    assert form(parse(one)) != form(parse(other))
