@@ -1,6 +1,6 @@
 """Files of a course that nobody reads: another case of letters, another folder, a name misspelt.
 
-Nearly every file of a course may be missing, so one that stands elsewhere would be missing in silence.
+Nearly every file of a course may be missing: one that stands elsewhere would be so in silence.
 """
 
 from collections.abc import Iterator
