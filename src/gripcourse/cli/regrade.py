@@ -1,12 +1,11 @@
 """`gripcourse regrade`, `undo`, `publish`, `waive`, `history`: parse, one call, print."""
 
 import getpass
-from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import replace
 from datetime import UTC, datetime
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
@@ -32,7 +31,10 @@ from gripcourse.cli.options import (
     words_for,
 )
 from gripcourse.errors import CourseError
-from gripcourse.text.words import Words, message
+from gripcourse.text.words import message
+
+if TYPE_CHECKING:
+    from gripcourse.batch.one_file import GradingContext
 
 # Every command imports what it needs itself: numpy, pandas and the database cost half a second.
 # ruff: noqa: PLC0415
@@ -204,24 +206,32 @@ def history(
     language: LanguageOption = None,
 ) -> None:
     """Show everything that happened to a student's grade: when, by whom, and why."""
+    from gripcourse.usecases.marks.called import item_with_id
     from gripcourse.usecases.marks.history import history as ask
     from gripcourse.usecases.marks.opening import issued_of
 
     words, root = words_for(language), course_folder(course)
-    called = _called(student, root, words)
+    context = _sound(root)
+
+    def called(quantity: str) -> str:
+        return (
+            quantity
+            if context is None
+            else item_with_id(student, quantity, context, words.language)
+        )
+
     events = ask(gradebook_place(gradebook, root), student, issued_of(root), called)
     typer.echo(regrade_text.history_text(events, words))
+    if context is None:
+        said = message("The course has problems: quantities are called by their ids.")
+        typer.echo(words.say(said), err=True)
 
 
-def _called(student: str, root: Path, words: Words) -> Callable[[str], str]:
-    """Return what people call a student's quantities; their ids where the course has problems."""
-    from gripcourse.usecases.marks.called import item_with_id
+def _sound(root: Path) -> "GradingContext | None":
+    """Open a course for what people call its quantities; None while it has problems."""
     from gripcourse.usecases.marks.opening import open_grading
 
     try:
-        context = open_grading(root)
+        return open_grading(root)
     except CourseError:
-        said = message("The course has problems: quantities are called by their ids.")
-        typer.echo(words.say(said), err=True)
-        return str
-    return lambda one: item_with_id(student, one, context, words.language)
+        return None
