@@ -573,6 +573,25 @@ def test_a_regrade_from_showing_to_undoing(gripcourse: Command, term: Term, tmp_
     refused(gripcourse("grade", *files, *out, "--handed-in", "soon"), "--handed-in", "'soon'")
 
 
+def test_what_was_kept_is_told_amid_a_change_that_the_course_does_not_bear(
+    gripcourse: Command, term: Term, tmp_path: Path
+) -> None:
+    """A history needs the course's id; what it calls quantities is all that the rest gives it."""
+    story = term.again(tmp_path)
+    at = ("--course", story.folder / "course")
+    before = gripcourse("history", "s01", *at)
+    scheme = next((story.folder / "course" / "variants" / "schemes").glob("*/scheme.toml"))
+    scheme.write_text("", encoding="utf-8")
+    assert gripcourse("mark", "--list", *at).code == cli.WRONG_USE
+
+    told = gripcourse("history", "s01", *at)
+    assert (told.code, told.out) == (cli.DONE, before.out)
+    assert "called by their ids" in told.err
+    refused(gripcourse("history", "s09", *at), "<student>", "'s09'")
+    assert gripcourse("waive", "s01", "--why", "болезнь", *at).code == cli.DONE
+    assert "болезнь" in gripcourse("history", "s01", *at).out
+
+
 def test_a_variant_is_drawn(gripcourse: Command, tmp_path: Path) -> None:
     run = gripcourse("draw", "002", "--student-name", "Иванова А.", "--out", "views")
     assert run.code == 0

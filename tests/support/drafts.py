@@ -111,6 +111,9 @@ def one_scheme(tmp_path_factory: pytest.TempPathFactory) -> Path:
             shutil.rmtree(path) if path.is_dir() else path.unlink()
     for option, choices in CHOICES.items():
         leave_choices(content / "options" / f"{option}.toml", choices)
+    for path in (content / "options").iterdir():
+        if path.stem not in options_of(content):
+            path.unlink()
     used = parts_of(content)
     for path in (content / "sections").iterdir():
         if path.stem not in used:
@@ -126,6 +129,12 @@ def leave_choices(file: Path, wanted: set[str]) -> None:
     kept = [one for one in choices if tomllib.loads(one)["id"] in wanted]
     assert len(kept) == len(wanted)
     file.write_text("[[choice]]".join([head, *kept]), "utf-8")
+
+
+def options_of(content: Path) -> set[str]:
+    """Read which shared options the scheme lists."""
+    scheme = tomllib.loads((content / "schemes" / SCHEME / "scheme.toml").read_text("utf-8"))
+    return set(scheme.get("options", []))
 
 
 def parts_of(content: Path) -> set[str]:

@@ -68,6 +68,15 @@ def test_a_floor_that_is_wide_beside_what_is_issued_is_named(
     assert {key for key, _ in found} == {"tolerance.floor.deg"}
 
 
+def test_a_floor_of_plain_numbers_is_named_as_the_policy_writes_it(
+    course: Course, policy: Policy, issued: tuple[Variant, ...]
+) -> None:
+    wide = replace(policy, floors={**policy.floors, "": 0.5})
+    found = said(course, wide, issued)
+    assert {key for key, _ in found} == {'tolerance.floor.""'}
+    assert not any(" , which" in what for _, what in found)
+
+
 def test_an_answer_that_is_the_same_in_all_variants_may_earn_little(
     course: Course, policy: Policy, issued: tuple[Variant, ...]
 ) -> None:

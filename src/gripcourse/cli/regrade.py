@@ -5,7 +5,7 @@ from contextlib import suppress
 from dataclasses import replace
 from datetime import UTC, datetime
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
@@ -30,7 +30,11 @@ from gripcourse.cli.options import (
     say_limits,
     words_for,
 )
+from gripcourse.errors import CourseError
 from gripcourse.text.words import message
+
+if TYPE_CHECKING:
+    from gripcourse.batch.one_file import GradingContext
 
 # Every command imports what it needs itself: numpy, pandas and the database cost half a second.
 # ruff: noqa: PLC0415
@@ -175,21 +179,21 @@ def waive(  # noqa: PLR0913 (one parameter per option)
     from gripcourse.gradebook.deadlines import last_of, moment_of
     from gripcourse.gradebook.timing import Waiver
     from gripcourse.policy.time_rules import zone_of
-    from gripcourse.usecases.marks.opening import open_grading
+    from gripcourse.usecases.marks.opening import issued_of, open_grading
     from gripcourse.usecases.marks.waive import waive as enter
 
-    words = words_for(language)
-    context = open_grading(course_folder(course))
-    said = None if until is None else moment_of(until, zone_of(context.policy.late))
+    words, root = words_for(language), course_folder(course)
+    # The zone stands in the policy, which needs a course without problems; the rest needs none.
+    said = None if until is None else moment_of(until, zone_of(open_grading(root).policy.late))
     moment = None if said is None else last_of(said)
     if until is not None and moment is None:
         raise cli_text.misuse(
             message("'{text}' is no day.", text=until),
             message("Write 2026-12-01, or 2026-12-01 18:00."),
         )
-    place, now = gradebook_place(gradebook, context.course.root), datetime.now(UTC)
+    place, now = gradebook_place(gradebook, root), datetime.now(UTC)
     wanted = Waiver(student, 0, moment, withdraw, by or getpass.getuser(), now, why)
-    enter(wanted, place, context.register)
+    enter(wanted, place, issued_of(root))
     confirm(words.say(message("Kept. Grade again to renew the reports.")))
 
 
@@ -204,15 +208,30 @@ def history(
     """Show everything that happened to a student's grade: when, by whom, and why."""
     from gripcourse.usecases.marks.called import item_with_id
     from gripcourse.usecases.marks.history import history as ask
+    from gripcourse.usecases.marks.opening import issued_of
+
+    words, root = words_for(language), course_folder(course)
+    context = _sound(root)
+
+    def called(quantity: str) -> str:
+        return (
+            quantity
+            if context is None
+            else item_with_id(student, quantity, context, words.language)
+        )
+
+    events = ask(gradebook_place(gradebook, root), student, issued_of(root), called)
+    typer.echo(regrade_text.history_text(events, words))
+    if context is None:
+        said = message("The course has problems: quantities are called by their ids.")
+        typer.echo(words.say(said), err=True)
+
+
+def _sound(root: Path) -> "GradingContext | None":
+    """Open a course for what people call its quantities; None while it has problems."""
     from gripcourse.usecases.marks.opening import open_grading
 
-    words = words_for(language)
-    context = open_grading(course_folder(course))
-    place = gradebook_place(gradebook, context.course.root)
-    events = ask(
-        place,
-        student,
-        context.register,
-        lambda one: item_with_id(student, one, context, words.language),
-    )
-    typer.echo(regrade_text.history_text(events, words))
+    try:
+        return open_grading(root)
+    except CourseError:
+        return None

@@ -46,14 +46,15 @@ def _option_faults(scheme: Scheme, example: WorkedExample, file: str) -> Iterato
             )
     for option in scheme.options:
         choices = [choice.id for choice in option.choices]
-        chosen = example.options.get(option.id, "")
-        if chosen not in choices:
-            yield Problem(
-                file,
-                f"options.{option.id}",
-                message("There is no choice '{choice}'.", choice=chosen),
-                did_you_mean(chosen, choices),
-            )
+        chosen = example.options.get(option.id)
+        if chosen in choices:
+            continue
+        what = (
+            message("The example does not say which choice it has.")
+            if chosen is None
+            else message("There is no choice '{choice}'.", choice=chosen)
+        )
+        yield Problem(file, f"options.{option.id}", what, did_you_mean(chosen or "", choices))
 
 
 def _given_faults(

@@ -4,7 +4,7 @@ from collections.abc import Collection, Iterator, Mapping
 from graphlib import CycleError, TopologicalSorter
 
 from gripcourse.course.model import Scheme
-from gripcourse.course.quantity import Quantity
+from gripcourse.course.quantity import Kind, Quantity
 from gripcourse.course.shared_drawing import unknown_name
 from gripcourse.course.view import SHAPES, Expression, Need, Ring, View, ViewPart
 from gripcourse.errors import Problem
@@ -15,6 +15,7 @@ from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.units import Dimension, dimension
 from gripcourse.text.words import message
 
+_NO_NUMBERS = {Kind.VERDICT, Kind.MANUAL}
 _LENGTH, _ANGLE, _COUNT, _STRESS = "mm", "deg", "", "MPa"
 
 Place = tuple[str, str, Formula, str]  # file, key, formula and the unit that it must have
@@ -104,6 +105,9 @@ def _reference_faults(
             what = message("The scheme has no quantity '{name}'.", name=name)
             said = unknown_name(what, name, quantities, scheme, is_shared=file != view.file)
             yield Problem(file, key, *said)
+        elif quantities[name].kind in _NO_NUMBERS:
+            what = message("A drawing shows numbers, and '{name}' is none.", name=name)
+            yield Problem(file, key, what, message("Leave it out."))
 
 
 def _unknown_names(

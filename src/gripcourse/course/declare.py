@@ -68,7 +68,7 @@ def declare(identifier: str, table: Table, *, constant: bool = False) -> Quantit
         formula=read_formula(table, _FORMULA_KEY[kind], units) if kind in _FORMULA_KEY else None,
         route=optional_formula(table, "route") if kind is Kind.FORMULA else None,
         choice=read_choice(table, unit, bounds) if kind is Kind.CHOICE else None,
-        value=table.number("value") if kind is Kind.CONSTANT else None,
+        value=_thinkable(table, "value", bounds) if kind is Kind.CONSTANT else None,
         valid=optional_formula(table, "valid") if is_computed else None,
         tolerance=_tolerance(table) if is_computed else None,
         default=_default(table, bounds) if kind is Kind.GIVEN else None,
@@ -198,16 +198,22 @@ def _default(table: Table, bounds: tuple[float, float]) -> float | None:
     """Read what a given is where nobody says otherwise; it must be possible."""
     if not table.has("default"):
         return None
-    value = table.number("default")
+    value = _thinkable(table, "default", bounds)
+    return None if math.isnan(value) else value
+
+
+def _thinkable(table: Table, name: str, bounds: tuple[float, float]) -> float:
+    """Read a number that lies between the bounds of its quantity."""
+    value = table.number(name)
     low, high = bounds
     if value < low or value > high:
         table.add(
-            "default",
+            name,
             message("The value {value} is outside the bounds {low} to {high} of the quantity.",
                     value=value, low=low, high=high),
             message("Write a value between the bounds, or correct the bounds."),
         )  # fmt: skip
-    return None if math.isnan(value) else value
+    return value
 
 
 def _tolerance(table: Table) -> Tolerance | None:

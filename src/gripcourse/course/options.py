@@ -1,10 +1,10 @@
 """Options: what a variant chooses. Shared ones stand in a file each, for many schemes."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 
 from gripcourse.course.keys import OPTION
-from gripcourse.course.model import Option, OptionChoice
+from gripcourse.course.model import Option, OptionChoice, Scheme
 from gripcourse.course.option_rule import OptionRule
 from gripcourse.course.toml_table import Table, read_toml
 from gripcourse.errors import Problem
@@ -37,6 +37,27 @@ def scheme_options(table: Table, shared: Mapping[str, Option]) -> tuple[Option, 
         )
     own = tuple(read_option(option) for option in table.tables("option"))
     return None if unknown else (*(shared[name] for name in named), *own)
+
+
+def spare_options(
+    options: Mapping[str, Option], schemes: Iterable[Scheme], folder: str
+) -> Iterator[Problem]:
+    """Yield the shared options that no scheme lists: no variant would ever have one.
+
+    Args:
+        options: the shared ones, by the names of their files.
+        schemes: all of the course.
+        folder: of the shared options, in the course.
+    """
+    listed = [option for scheme in schemes for option in scheme.options]
+    for name, option in options.items():
+        if not any(option is one for one in listed):
+            yield Problem(
+                f"{folder}/{name}.toml",
+                "",
+                message("No scheme lists this option."),
+                message("Name it in the options of a scheme, or remove the file."),
+            )
 
 
 def read_option(table: Table) -> Option:

@@ -181,7 +181,11 @@ def _report_unknown(
             name=change.name,
         )
     )
-    change.keys.add("", what, did_you_mean(change.name, known))
+    remedy = message(
+        "{near} A constant, and what the scheme itself declares, is changed where it stands.",
+        near=did_you_mean(change.name, known),
+    )
+    change.keys.add("", what, remedy)
 
 
 def _laid_over(shared: Table, changes: Table) -> Table:

@@ -95,7 +95,10 @@ _ALTERNATIVE: Final = Shape(
 _COMMON: Final = {
     "section": text("Id of the section of the assignment.", required=True),
     "kind": text("What the quantity is to the student.", required=True),
-    "symbol": texts("As in formulas; `_` begins an index: `F_1`, `τ_-1`.", required=True),
+    "symbol": texts(
+        "As in formulas; `_` begins an index: `F_1`, `τ_-1`. Empty for what a person marks.",
+        required=True,
+    ),
     "unit": text("Declared unit (see Units below); empty for a plain number.", required=True),
     "title": texts("Its name in words.", required=True),
     "explain": texts("A sentence on how to think about it."),
@@ -131,7 +134,8 @@ _JUDGED: Final = {
         "Other honest readings: full credit, a remark, carried on.", _ALTERNATIVE
     ),
     "evaluated_in": by_name(
-        "Of an empirical formula: the unit in which each name enters; it names all of them.",
+        "Of an empirical formula: the unit in which each name enters; it names all of them."
+        " Its slips and other versions are computed in the same units.",
         text("A unit.", required=True),
     ),
 }

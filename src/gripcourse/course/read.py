@@ -16,7 +16,7 @@ from gripcourse.course.keys import COURSE, PART, SHARED_DIAGRAM
 from gripcourse.course.kinematics import read_kinematics, read_positions
 from gripcourse.course.model import Catalogue, Course, Part, Scheme, Section, SectionDetail, Work
 from gripcourse.course.note import read_notes
-from gripcourse.course.options import read_options
+from gripcourse.course.options import read_options, spare_options
 from gripcourse.course.override import RawPart
 from gripcourse.course.quantity import Convention, Quantity
 from gripcourse.course.scheme import Shared, read_scheme
@@ -138,9 +138,10 @@ def _schemes(
     languages: Sequence[str],
     problems: list[Problem],
 ) -> dict[str, Scheme]:
+    options = folder / "options"
     shared = Shared(
         parts=raw,
-        options=read_options(folder / "options", root, problems, languages),
+        options=read_options(options, root, problems, languages),
         drawings=_drawings(folder / "drawing", root, languages, problems),
         symbols=_symbols(folder / "diagram", root, problems),
         languages=languages,
@@ -148,6 +149,10 @@ def _schemes(
     paths = _scheme_folders(folder / "schemes")
     found = (read_scheme(path, root, shared, problems) for path in paths)
     schemes = {scheme.id: scheme for scheme in found if scheme is not None}
+    if len(schemes) == len(paths):  # else one that cannot be read may list it
+        problems += spare_options(
+            shared.options, schemes.values(), options.relative_to(root).as_posix()
+        )
     if not paths:
         problems.append(
             Problem(

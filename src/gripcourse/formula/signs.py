@@ -52,7 +52,7 @@ _HINTS: Final[tuple[tuple[str, Message], ...]] = (
     ("=", message("A comparison for equality is written ==.")),
     ("√", message("A root is written sqrt(…) or cbrt(…).")),
     ("[]{}", message("Only round brackets group.")),
-    (".", message("A point stands only in numbers.")),
+    (".", message('A point stands only in numbers, and in a column of a catalogue: "bolts.size".')),
     ("\"'", message('Quotation marks only name a column of a catalogue: "bolts.size".')),
 )
 

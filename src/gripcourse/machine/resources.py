@@ -87,8 +87,12 @@ def template_file(templates: Path, name: str) -> Path:
 
 
 def is_course(folder: Path) -> bool:
-    """Tell whether a folder is a course that a command may work on without being told."""
-    return not _missing(folder) and (folder / "variants" / "course.toml").is_file()
+    """Tell whether a folder is meant as a course: a command works on it without being told.
+
+    One that lacks its main file, or a folder, is a course with a fault; another must not be judged
+    in its place.
+    """
+    return not _missing(folder) or (folder / VARIANTS / "course.toml").is_file()
 
 
 def _checked(folder: Path) -> Path:

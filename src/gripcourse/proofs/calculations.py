@@ -14,9 +14,9 @@ from gripcourse.proofs.model import Proof, ProofKind, ProofResult, Verdict, conc
 from gripcourse.proofs.published_cases import PublishedCase
 from gripcourse.solver.plan import Plan, make_plan
 from gripcourse.solver.solve import evaluate, solve_variant, to_si
-from gripcourse.text.number_text import format_number
-from gripcourse.text.units import factor, unit_text
-from gripcourse.text.words import LANGUAGES, Message, Texts, message
+from gripcourse.text.amounts import amount_texts
+from gripcourse.text.units import factor
+from gripcourse.text.words import Message, message
 
 _SAME = 1e-12  # relative: what floating point leaves of an equal number
 _ONE_VALUE = 1e-3  # relative: constants of handbooks are rounded, 9550 for 30000/π
@@ -215,24 +215,12 @@ def _what(plan: Plan, name: str, value: float, printed: float, difference: float
         return message(
             "{title} has no value here; {printed} is printed.",
             title=plan.quantities[name].title,
-            printed=_number(printed, unit),
+            printed=amount_texts(printed, unit, _FIGURES),
         )
     return message(
         "{title} comes out as {value}; {printed} is printed, ±{difference}.",
         title=plan.quantities[name].title,
-        value=_number(value, unit),
-        printed=_number(printed, unit),
-        difference=_number(difference, unit),
-    )
-
-
-def _number(value: float, unit: str) -> Texts:
-    """Write a number with its unit in every language."""
-    return Texts(
-        {
-            language: " ".join(
-                filter(None, (format_number(value, language, _FIGURES), unit_text(unit, language)))
-            )
-            for language in LANGUAGES
-        }
+        value=amount_texts(value, unit, _FIGURES),
+        printed=amount_texts(printed, unit, _FIGURES),
+        difference=amount_texts(difference, unit, _FIGURES),
     )

@@ -3,8 +3,9 @@
 from datetime import date
 
 from gripcourse.text.conventions import is_english
+from gripcourse.text.number_text import format_number
 from gripcourse.text.units import stands_close, unit_text
-from gripcourse.text.words import Words
+from gripcourse.text.words import LANGUAGES, Texts, Words
 
 NO_BREAK_SPACE = "\u00a0"
 _DAY_PATTERN = "d MMMM y"
@@ -78,3 +79,15 @@ def amount_text(value: float, unit: str, words: Words, figures: int = 5) -> str:
     number, written = words.number(value, figures), unit_text(unit, words.language)
     joint = "" if stands_close(written) else NO_BREAK_SPACE
     return f"{number}{joint}{written}"
+
+
+def amount_texts(value: float, unit: str, figures: int = 5) -> Texts:
+    """Write a number with its unit in every language, for a message."""
+    return Texts(
+        {
+            language: " ".join(
+                filter(None, (format_number(value, language, figures), unit_text(unit, language)))
+            )
+            for language in LANGUAGES
+        }
+    )

@@ -15,6 +15,7 @@ from gripcourse.policy.model import Policy
 from gripcourse.policy.points import points_of
 from gripcourse.solver.plan import depends_on_given, plan_of
 from gripcourse.solver.solve import solve_variant
+from gripcourse.text.amounts import amount_texts
 from gripcourse.text.words import message
 from gripcourse.variants.model import Variant
 
@@ -26,6 +27,7 @@ _SAME_POINTS = 0.02  # of all points: what an answer may earn that is the same i
 _LEAST_CALCULATED = 0.5
 _WIDEST_RELATIVE = 0.05
 _LEAST_FIGURES = 2
+_EMPTY = '""'  # as a policy writes the unit of a plain number
 _LEAST_VARIANTS = 3  # of a scheme: fewer are the same by chance
 
 
@@ -172,14 +174,14 @@ def _too_wide(
         size = float(np.median(sizes)) if spans_zero else float(sizes.min())
         if absolute <= FLOOR_SHARE * size:
             continue
-        key = f"quantity_tolerance.{quantity.id}" if is_own else f"tolerance.floor.{quantity.unit}"
+        floor = f"tolerance.floor.{quantity.unit or _EMPTY}"
+        key = f"quantity_tolerance.{quantity.id}" if is_own else floor
         what = message(
-            "The absolute tolerance {absolute} is {share} % of {size} {unit}, which '{quantity}' "
+            "The absolute tolerance {absolute} is {share} % of {size}, which '{quantity}' "
             "has in issued variants: a guess may meet it.",
             absolute=absolute,
             share=round(100 * absolute / size, 1),
-            size=round(size, 4),
-            unit=quantity.unit,
+            size=amount_texts(size, quantity.unit),
             quantity=quantity.id,
         )
         remedy = message("Write at most {absolute}.", absolute=_no_more_than(FLOOR_SHARE * size))

@@ -41,7 +41,6 @@ if TYPE_CHECKING:
     from ezdxf.document import Drawing
 
 _FIGURES = 4  # of a characteristic
-_MOST_LINES = 6
 _ENLARGED = 1.5  # times that what is shown again is larger; a section shows what nothing else does
 _MASS_FIGURES = 2  # outlines leave out ribs, rounds and holes
 
@@ -196,7 +195,7 @@ def _mass(plan: Plan, view: View, values: Mapping[str, float], words: Words) -> 
 def _characteristics(
     view: View, plan: Plan, values: Mapping[str, float], words: Words
 ) -> tuple[str, ...]:
-    return tuple(_lines(view, plan, values, words))[:_MOST_LINES]
+    return tuple(_lines(view, plan, values, words))
 
 
 def _required(view: View, words: Words, *, starred: bool) -> tuple[str, ...]:

@@ -51,6 +51,7 @@ from gripcourse.usecases.authoring.template_trial import (
     trial_problems,
 )
 from gripcourse.usecases.authoring.templates import all_templates
+from gripcourse.usecases.authoring.unread_files import unread_problems
 from gripcourse.variants.pays import paying_rules
 from gripcourse.variants.range_problems import range_problems
 from gripcourse.variants.table import read_table
@@ -102,7 +103,7 @@ def _validated(root: Path, *, thorough: bool, is_alone: bool) -> Validation:
     look = files_seen(root, template_folders(templates))
     course, problems = _judged(root, files, thorough=thorough)
     if course is None:
-        return Validation(problems, computed=False)
+        return Validation([*problems, *unread_problems(root)], computed=False)
     problems += check_equations(course)
     # Spaces, tables and filled pages are about the course: judging them against a broken one only
     # adds noise.
@@ -134,7 +135,9 @@ def _validated(root: Path, *, thorough: bool, is_alone: bool) -> Validation:
 
         problems += unless_sound("templates", [own, look], filled)
     computed = is_sound and fit is not None
-    return Validation([*problems, *_machine_problems(root)], computed=computed)
+    # A file that nobody reads may be what a problem misses, but spoils no number.
+    beside = [*unread_problems(root), *_machine_problems(root)]
+    return Validation([*problems, *beside], computed=computed)
 
 
 def _to_try_apart(

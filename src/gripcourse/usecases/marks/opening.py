@@ -7,6 +7,7 @@ from pathlib import Path
 from gripcourse.batch.one_file import GradingContext
 from gripcourse.course.load import load_course
 from gripcourse.course.model import Course
+from gripcourse.course.read import course_id
 from gripcourse.errors import NextStep, Problem, UsageError
 from gripcourse.gradebook.deadlines import course_deadlines
 from gripcourse.grading.path_pattern import path_pattern
@@ -22,6 +23,7 @@ from gripcourse.usecases.marks.batch_wish import BatchWish
 from gripcourse.usecases.marks.gradebook import check_gradebook, with_kept_versions
 from gripcourse.usecases.marks.handed_in import HandingTime, handed_in_times
 from gripcourse.usecases.marks.whose import read_whose
+from gripcourse.variants.model import Issued
 
 
 def open_grading(root: Path) -> GradingContext:
@@ -33,6 +35,16 @@ def open_grading(root: Path) -> GradingContext:
     """
     course = load_course(root)
     return grading_of(course, load_policy(course))
+
+
+def issued_of(root: Path) -> Mapping[str, Issued]:
+    """Read what was issued to each student, though the course has problems of its own.
+
+    Raises:
+        CourseError: its main file cannot be read, or has no id.
+        RegisterError: the register cannot be used.
+    """
+    return read_register(root, course_id(root)).by_student()
 
 
 def grading_of(course: Course, policy: Policy) -> GradingContext:

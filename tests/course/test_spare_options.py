@@ -1,0 +1,36 @@
+"""An option that no scheme lists is named: no variant would ever have it."""
+
+import shutil
+from pathlib import Path
+
+from gripcourse.course.read import read_course
+from gripcourse.machine.resources import skeleton_root
+
+_OIL = """
+id = "oil"
+title = "oil"
+[[choice]]
+id = "thick"
+title = "thick"
+parts = []
+"""
+
+
+def test_an_option_that_no_scheme_lists_is_named(tmp_path: Path) -> None:
+    root = Path(shutil.copytree(skeleton_root(), tmp_path / "course"))
+    (root / "variants" / "options").mkdir()
+    (root / "variants" / "options" / "oil.toml").write_text(_OIL, encoding="utf-8")
+    course, problems = read_course(root)
+    assert course is not None
+    assert [(one.file, str(one.what)) for one in problems] == [
+        ("variants/options/oil.toml", "No scheme lists this option.")
+    ]
+
+
+def test_an_option_is_not_called_spare_while_a_scheme_cannot_be_read(tmp_path: Path) -> None:
+    root = Path(shutil.copytree(skeleton_root(), tmp_path / "course"))
+    (root / "variants" / "options").mkdir()
+    (root / "variants" / "options" / "oil.toml").write_text(_OIL, encoding="utf-8")
+    (root / "variants" / "schemes" / "rod" / "scheme.toml").write_text("id =", encoding="utf-8")
+    _, problems = read_course(root)
+    assert {one.file for one in problems} == {"variants/schemes/rod/scheme.toml"}
