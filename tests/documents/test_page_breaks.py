@@ -1,22 +1,12 @@
 """Where pages of documents end: nothing stands on another page than what it belongs to."""
 
-from collections.abc import Iterator
-from typing import Any
-
 import pytest
 
-from support.laid_out import pages_of
+from support.laid_out import pages_of, texts
 
 COHORT = ("page.css", "cohort.css")
+CERTIFICATE = ("page.css", "certificate.css")
 HEIGHT = 265  # mm of a page, about
-
-
-def texts(tree: Any) -> Iterator[str]:  # noqa: ANN401 - WeasyPrint ships no types
-    """Every piece of text below a box."""
-    if hasattr(tree, "text"):
-        yield tree.text
-    for child in getattr(tree, "children", ()):
-        yield from texts(child)
 
 
 def page_texts(html: str, styles: tuple[str, ...]) -> list[str]:
@@ -40,3 +30,12 @@ def test_a_student_stands_beside_what_was_noticed(above: int) -> None:
     told = [n for n in range(6) if f"seen-{n}" in first]
     assert told == [n for n in range(6) if f"name-{n}" in first]
     assert told == [n for n in range(6) if f"file-{n}" in first]
+
+
+@pytest.mark.parametrize("above", range(HEIGHT - 65, HEIGHT - 20, 4))
+def test_what_a_table_is_about_stands_above_it(above: int) -> None:
+    rows = "<tbody>" + "<tr><td>row</td></tr>" * 8 + "</tbody>"
+    table = f"<table><thead><tr><th>column</th></tr></thead>{rows}</table>"
+    about = '<h2>heading</h2><p class="note">about the table</p>'
+    first, *_ = page_texts(f'<div style="height: {above}mm"></div>{about}{table}', CERTIFICATE)
+    assert ("heading" in first) == ("about the table" in first) == ("row" in first)
