@@ -86,6 +86,33 @@ def test_no_line_ends_between_a_number_and_its_unit(templates: Path) -> None:
     assert page == "off by 4\u00a0% at 5\u00a0мм, 20\u00a0kN·m and 3 ways"
 
 
+@pytest.mark.parametrize(
+    ("title", "together"),
+    [
+        ("not less than h_V/3", ["hV/3"]),
+        ("else √(σ_b/[σ]_b) & more", ["√(σb/[σ]b)"]),
+        ("ratio P/F, or b/d", ["P/F,", "b/d"]),
+        ("a & b/d", ["b/d"]),
+        ("formulas (12–14)", ["(12–14)"]),
+        ("jaw/drive, and/or, 1999/ISO", []),
+    ],
+)
+def test_no_line_ends_inside_a_short_formula_or_a_range(
+    templates: Path, title: str, together: list[str]
+) -> None:
+    (templates / "title.html.j2").write_text("{{ title | prose }}", encoding="utf-8")
+    page = render_html(Document("title.html.j2", (), {"title": title}), templates, Words("en"))
+    _, *found = page.split('<span class="unbroken">')
+    assert [re.sub(r"<[^>]*>", "", one).split()[0] for one in found] == together
+
+
+def test_no_line_ends_at_a_minus(templates: Path) -> None:
+    (templates / "title.html.j2").write_text("{{ title | prose }}", encoding="utf-8")
+    title = "near u·(1 − ε) — or not"
+    page = render_html(Document("title.html.j2", (), {"title": title}), templates, Words("en"))
+    assert page == "near u·(1\u00a0−\u00a0ε) — or not"
+
+
 def test_the_same_content_gives_the_same_bytes(templates: Path, document: Document) -> None:
     first = render_pdf(document, templates, Words("en"))
     assert first == render_pdf(document, templates, Words("en"))

@@ -5,6 +5,7 @@ from pathlib import Path
 from typing import Any
 
 from weasyprint import HTML
+from weasyprint.formatting_structure.boxes import LineBox, TableCellBox
 
 # WeasyPrint ships no types, and has no other way to ask where a box stands.
 # ruff: noqa: ANN401, SLF001
@@ -25,6 +26,28 @@ def boxes(tree: Any, tag: str) -> Iterator[Any]:
         yield tree
     for child in getattr(tree, "children", ()):
         yield from boxes(child, tag)
+
+
+def cells(tree: Any, tag: str) -> Iterator[Any]:
+    """Every cell of a table of a name, `th` or `td`, and nothing inside of them."""
+    return (one for one in boxes(tree, tag) if isinstance(one, TableCellBox))
+
+
+def texts(tree: Any) -> Iterator[str]:
+    """Every piece of text below a box."""
+    if hasattr(tree, "text"):
+        yield tree.text
+    for child in getattr(tree, "children", ()):
+        yield from texts(child)
+
+
+def lines(tree: Any) -> Iterator[str]:
+    """The text of each line below a box."""
+    if isinstance(tree, LineBox):
+        yield "".join(texts(tree))
+        return
+    for child in getattr(tree, "children", ()):
+        yield from lines(child)
 
 
 def text_edges(tree: Any) -> tuple[float, float] | None:

@@ -21,6 +21,11 @@ if TYPE_CHECKING:
 # `Re^(0,8)`, `10^4`, `v^−0.09`: what stands in brackets holds none itself.
 _POWER: Final = re.compile(r"\^(?:\(([^()]+)\)|([−-]?\d+(?:[.,]\d+)?))")
 
+# `h_V/3`, `√(σ_b/[σ]_b)`: what is divided by a symbol or a number, and no two words; 12–14.
+_SHORT: Final = re.compile(
+    r"(?<!\S)(?=\S{3,30}(?!\S))\S*(?:\w[)\]]*/[(\[√]*(?:\d|[^\W\d_](?![^\W_])|[^\W\d_]{1,2}_)|\d–\d)\S*"
+)
+
 
 def seen(value: object) -> object:
     """Keep what no page can show out of it; what was made of formulas is known to be whole."""
@@ -31,7 +36,7 @@ def prose(title: object) -> "Markup":
     """Return a title as HTML; a symbol in it, `v_1`, looks as it does in a formula."""
     from markupsafe import Markup, escape
 
-    written = str(escape(_kept_together(title)))
+    written = _unbroken(str(escape(_kept_together(title))))
     looking = SYMBOL.sub(lambda found: html(symbol_box(found[0])), written)
     return Markup(_raised(looking))  # noqa: S704 - escaped
 
@@ -47,14 +52,20 @@ def below(title: object) -> "Markup":
     return Markup(_raised(str(looking)))  # noqa: S704 - escaped
 
 
+def _unbroken(escaped: str) -> str:
+    """Let no line end after the slash of a short formula, nor inside a range of numbers."""
+    return _SHORT.sub(r'<span class="unbroken">\g<0></span>', escaped)
+
+
 def _raised(escaped: str) -> str:
     """Raise the powers of a text that was escaped."""
     return _POWER.sub(lambda found: f"<sup>{found[1] or found[2]}</sup>", escaped)
 
 
 def _kept_together(title: object) -> str:
-    """Let no line end between a number and its unit."""
-    return _before_a_unit().sub(NO_BREAK_SPACE, str(seen(title)))
+    """Let no line end between a number and its unit, nor at the minus of a formula."""
+    together = _before_a_unit().sub(NO_BREAK_SPACE, str(seen(title)))
+    return together.replace(" − ", f"{NO_BREAK_SPACE}−{NO_BREAK_SPACE}")
 
 
 @lru_cache(maxsize=1)

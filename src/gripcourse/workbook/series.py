@@ -1,5 +1,6 @@
 """The sheet of an answer workbook with the series and tables that its answers are taken from."""
 
+import math
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, Final
 
@@ -10,7 +11,7 @@ from gripcourse.text.units import unit_text
 from gripcourse.text.words import Words, message
 from gripcourse.workbook.cover import LOCKED
 from gripcourse.workbook.layout import WorkbookLayout
-from gripcourse.workbook.style import Styles, pages_tall, row_height, set_page
+from gripcourse.workbook.style import Styles, row_height, set_page
 
 if TYPE_CHECKING:
     from xlsxwriter import Workbook
@@ -20,7 +21,9 @@ _COLUMNS: Final = 12  # of sizes in a row, as many as a page has room for
 _WIDTH: Final = 9.0  # of a column, in characters
 _FIRST: Final = 3  # row of the first series
 _HEADING: Final = 46.0  # points of the headings of a table
-_LINE: Final = 16.0  # points of a row, on the average
+_LINE: Final = 14.0  # points of a row
+_PAGE: Final = 850.0  # points of rows on a page where the columns are as wide as it
+_DRAWN_TOGETHER: Final = 1.15  # of a page: so much is printed smaller, on one
 
 
 def write_series(
@@ -40,21 +43,49 @@ def write_series(
     if not tables:
         return
     sheet = book.add_worksheet(placed.series)
+    sheet.set_default_row(_LINE)
     sheet.set_column(0, _COLUMNS - 1, _WIDTH)
     title = words.say(message("Series and tables"))
     sheet.set_row(0, 26)
     sheet.write_string(0, 0, title, styles.title)
     said = message("Behind the title of each stand the numbers of the answers taken from it.")
     sheet.write_string(1, 0, words.say(said), styles.hint_line)
-    row = _FIRST
+    row, heights = _FIRST, [(0, _LINE * _FIRST)]
     for table in tables:
+        first = row
         heading = " ".join((_title(table, words), *_takers(table, placed)))
         sheet.merge_range(row, 0, row, _COLUMNS - 1, "", styles.heading_line)
         sheet.write_string(row, 0, heading, styles.heading_line)
         sheet.set_row(row, row_height([(heading, _WIDTH * _COLUMNS)]))
         row = 1 + _write_table(sheet, row + 1, table, words, styles)
-    set_page(sheet, title, right, tall=pages_tall([_LINE] * row, _WIDTH * _COLUMNS))
+        heights.append((first, _LINE * (row - first) + (_HEADING - _LINE) * _headings(table)))
+    together = sum(height for _, height in heights) <= _DRAWN_TOGETHER * _PAGE
+    set_page(sheet, title, right, tall=1 if together else 0)
+    if not together:
+        sheet.set_h_pagebreaks(page_breaks(heights, _PAGE))
     sheet.protect("", LOCKED)
+
+
+def page_breaks(heights: Sequence[tuple[int, float]], page: float) -> list[int]:
+    """Return the rows that pages begin with, so that no table is torn that a page has room for.
+
+    Args:
+        heights: the first row of everything that stays together, and its height.
+        page: height of a page, in the same unit.
+    """
+    breaks: list[int] = []
+    used = 0.0
+    for row, height in heights:
+        if used and used + height > page:
+            breaks.append(row)
+            used = 0.0
+        used += height
+    return breaks
+
+
+def _headings(table: NeededTable) -> int:
+    """Return in how many rows the headings of a table stand: see `_write_table`."""
+    return 0 if table.is_series else math.ceil((len(table.columns) - 1) / (_COLUMNS - 1))
 
 
 def _title(table: NeededTable, words: Words) -> str:

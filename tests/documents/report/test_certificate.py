@@ -25,7 +25,7 @@ from gripcourse.text.words import LANGUAGES, Words
 from gripcourse.variants.audit import VariantAudit, audit
 from gripcourse.variants.draw import draw
 from gripcourse.variants.space import load_spaces
-from support.laid_out import boxes, pages_of, text_edges
+from support.laid_out import boxes, cells, lines, pages_of, text_edges
 from support.pages import not_laid_out, text_of_page
 
 SOURCE = CertificateSource("autumn.csv", "ab" * 32)
@@ -211,3 +211,17 @@ def test_numbers_of_neighbouring_columns_stand_apart(
             looked_at += 1
             assert right[0] - left[1] >= APART, row.element.text
     assert looked_at
+
+
+@pytest.mark.parametrize("language", ["ru", "uk"])
+def test_a_heading_of_a_column_ends_no_line_inside_a_word(
+    audited: VariantAudit, course: Course, policy: Policy, language: str
+) -> None:
+    values = certificate_values(audited, SOURCE, course, policy, Words(language)) | {"day": DAY}
+    page = Document(TEMPLATE, (), values)
+    html = render_html(page, course.root / "templates", Words(language))
+    headings = [one for made in pages_of(html, STYLES) for one in cells(made, "th")]
+    assert headings
+    for heading in headings:
+        written = "".join(heading.element.itertext()).split(" ")
+        assert [word for line in lines(heading) for word in line.split(" ") if word] == written

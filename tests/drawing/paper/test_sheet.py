@@ -23,6 +23,7 @@ if TYPE_CHECKING:
 
     from conftest import Draw
 
+LEAST = 1.8  # mm, letters of GOST 2.304
 SVG = "{http://www.w3.org/2000/svg}"
 
 
@@ -65,6 +66,18 @@ def test_any_student_can_be_written_into_the_title_block(name: str) -> None:
     document, audit = recover.read(BytesIO(dxf_bytes(made)))
     assert not audit.errors
     assert name in [read_text(one) for one in document.modelspace().query("TEXT")]
+
+
+@pytest.mark.parametrize("name", ["Иванова Анна Петровна", "Шевченко Оксана Костянтинівна"])
+def test_the_name_of_who_drew_it_stands_in_one_line_of_letters_of_the_standard(name: str) -> None:
+    block = TitleBlock("011 GA", "gripper", "General arrangement", student=name)
+    made = new_document("uk")
+    draw_sheet(made.modelspace(), A3, block, "1:1", Words("uk"))
+    surname, *_ = name.split()
+    texts = {read_text(one): one for one in made.modelspace().query("TEXT")}
+    (written,) = (one for text, one in texts.items() if text.startswith(surname))
+    assert written.dxf.height > LEAST
+    assert not [text for text in texts if text in name.split()[1:]]
 
 
 def point_of(one: "Text") -> Point:

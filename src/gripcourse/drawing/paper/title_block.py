@@ -2,10 +2,11 @@
 
 from dataclasses import dataclass
 
-from gripcourse.drawing.paper.cells import LARGE, NORMAL, SMALL, Cells
+from gripcourse.drawing.paper.cells import LARGE, NORMAL, PAD, SMALL, Cells
 from gripcourse.drawing.paper.document import LineKind
-from gripcourse.drawing.paper.text import capital
+from gripcourse.drawing.paper.text import capital, set_in
 from gripcourse.solver.plan import Plan
+from gripcourse.text.signed_names import signed_name
 from gripcourse.text.words import Message, Words, message
 
 BLOCK_WIDTH, BLOCK_HEIGHT = 185.0, 55.0
@@ -29,6 +30,7 @@ _ROLES = (
     message("Approved"),
 )
 _ROLE_HEIGHT = 5.0
+_NAME = (23.0, _ROLE_HEIGHT)
 
 
 @dataclass(frozen=True, slots=True)
@@ -123,8 +125,14 @@ def _draw_people(cell: Cells, block: TitleBlock, words: Words) -> None:
             cell.words(words.say(role), (0.0, bottom), (17.0, _ROLE_HEIGHT), SMALL)
     for number, (name, date) in enumerate(((block.student, block.date), (block.checked, ""))):
         bottom = 25.0 - _ROLE_HEIGHT * number
-        cell.words(name, (17.0, bottom), (23.0, _ROLE_HEIGHT), SMALL, most=2)
+        cell.words(_written(name), (17.0, bottom), _NAME, SMALL, most=2)
         cell.words(date, (55.0, bottom), (10.0, _ROLE_HEIGHT), SMALL)
+
+
+def _written(name: str) -> str:
+    """Return a name, by surname and initials where two lines of it would be too small to read."""
+    room = (_NAME[0] - 2 * PAD, _NAME[1])
+    return name if len(set_in(name, SMALL, room, 2).lines) == 1 else signed_name(name)
 
 
 def _draw_document(cell: Cells, block: TitleBlock, scale: str, words: Words) -> None:

@@ -1,0 +1,41 @@
+"""Where pages of documents end: nothing stands on another page than what it belongs to."""
+
+import pytest
+
+from support.laid_out import pages_of, texts
+
+COHORT = ("page.css", "cohort.css")
+CERTIFICATE = ("page.css", "certificate.css")
+HEIGHT = 265  # mm of a page, about
+
+
+def page_texts(html: str, styles: tuple[str, ...]) -> list[str]:
+    """The text of each page."""
+    return [" ".join(texts(page)) for page in pages_of(html, styles)]
+
+
+def flagged(above: int) -> str:
+    """A table of what was noticed of students, so far down on its page."""
+    rows = "".join(
+        f'<tr><td>name-{n} <br><span class="note">file-{n}</span></td><td>seen-{n}</td></tr>'
+        for n in range(6)
+    )
+    table = f'<table class="flagged"><thead><tr><th>a</th><th>b</th></tr></thead>{rows}</table>'
+    return f'<div style="height: {above}mm"></div>{table}'
+
+
+@pytest.mark.parametrize("above", range(HEIGHT - 45, HEIGHT - 20, 2))
+def test_a_student_stands_beside_what_was_noticed(above: int) -> None:
+    first, *_ = page_texts(flagged(above), COHORT)
+    told = [n for n in range(6) if f"seen-{n}" in first]
+    assert told == [n for n in range(6) if f"name-{n}" in first]
+    assert told == [n for n in range(6) if f"file-{n}" in first]
+
+
+@pytest.mark.parametrize("above", range(HEIGHT - 65, HEIGHT - 20, 4))
+def test_what_a_table_is_about_stands_above_it(above: int) -> None:
+    rows = "<tbody>" + "<tr><td>row</td></tr>" * 8 + "</tbody>"
+    table = f"<table><thead><tr><th>column</th></tr></thead>{rows}</table>"
+    about = '<h2>heading</h2><p class="note">about the table</p>'
+    first, *_ = page_texts(f'<div style="height: {above}mm"></div>{about}{table}', CERTIFICATE)
+    assert ("heading" in first) == ("about the table" in first) == ("row" in first)
