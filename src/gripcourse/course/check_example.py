@@ -73,7 +73,7 @@ def _given_faults(
                     "Write it, or write default = … beside the given in {file}.", file=one.file
                 ),
             )
-    for name in example.given:
+    for name, value in example.given.items():
         if name not in inputs:
             yield Problem(
                 file,
@@ -81,6 +81,15 @@ def _given_faults(
                 message("The scheme has no given '{name}'.", name=name),
                 did_you_mean(name, inputs),
             )
+        elif not inputs[name].bounds[0] <= value <= inputs[name].bounds[1]:
+            low, high = inputs[name].bounds
+            yield Problem(
+                file,
+                f"given.{name}",
+                message("The value {value} is outside the bounds {low} to {high} of the quantity.",
+                        value=value, low=low, high=high),
+                message("Write a value between the bounds, or correct the bounds."),
+            )  # fmt: skip
 
 
 def _convention_faults(course: Course, example: WorkedExample, file: str) -> Iterator[Problem]:

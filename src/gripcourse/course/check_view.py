@@ -38,6 +38,9 @@ def check_view(
     view = scheme.view
     if view is None:
         return
+    if not view.parts:
+        what = message("The view has no part.")
+        yield Problem(view.file, "part", what, message("Write its parts, or remove the file."))
     yield from _reference_faults(scheme.id, view, quantities)
     known = {name: dimension(one.unit) for name, one in quantities.items()}
     if scheme.kinematics is not None:

@@ -166,7 +166,8 @@ EXAMPLE: Final = Shape(
             )
             for convention in Convention
         },
-    }
+    },
+    former={"guide": Convention.AS_PRINTED},
 )
 PUBLISHED_CASES: Final = Shape(
     {

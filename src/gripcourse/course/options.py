@@ -66,6 +66,13 @@ def read_option(table: Table) -> Option:
     choices = tuple(_choice(choice) for choice in table.tables("choice"))
     if not choices:
         table.add("choice", message("This key is missing."), message("Write the choices."))
+    ids = [choice.id for choice in choices]
+    for name in dict.fromkeys(one for one in ids if one and ids.count(one) > 1):
+        table.add(
+            "choice",
+            message("Two choices have the id '{id}'.", id=name),
+            message("Give each choice an id of its own."),
+        )
     return Option(table.text("id"), table.texts("title"), choices, read_rules(table, "rule"))
 
 

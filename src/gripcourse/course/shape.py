@@ -58,12 +58,15 @@ class Shape:
         each: what any other name holds, where the author chooses the names; None for no others.
         by: the key whose text decides which further keys there are; empty for none.
         kinds: these keys by that text.
+        former: keys of earlier programs, by what they are called now; empty for what is gone. An
+            author of a course that is written for one is told so.
     """
 
     keys: Mapping[str, Key]
     each: Key | None = None
     by: str = ""
     kinds: Mapping[str, Mapping[str, Key]] = field(default_factory=dict)
+    former: Mapping[str, str] = field(default_factory=dict)
 
     def of(self, values: Mapping[str, object]) -> Mapping[str, Key]:
         """Return the keys that a table with these values may have, but for free names."""

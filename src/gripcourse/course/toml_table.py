@@ -50,7 +50,16 @@ class Table:
         allowed = set(self.shape.of(self.values) if known is None and self.shape else known or ())
         for name in self.values:
             if name not in allowed:
-                self.add(name, message("This key means nothing here."), did_you_mean(name, allowed))
+                self.add(name, *self._unread(name, allowed))
+
+    def _unread(self, name: str, allowed: Iterable[str]) -> tuple[Message, Message]:
+        """Say of a key that nobody reads what it was, or what may be meant."""
+        now = None if self.shape is None else self.shape.former.get(name)
+        if now is None:
+            return message("This key means nothing here."), did_you_mean(name, allowed)
+        what = message("Earlier versions of the program read this key.")
+        renamed = message("It is called '{name}' now: rename it.", name=now)
+        return what, renamed if now else message("Remove it: nothing is needed in its place.")
 
     def text(self, name: str, default: str | None = None) -> str:
         """Read a text; required where there is no default."""

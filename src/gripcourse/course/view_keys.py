@@ -84,7 +84,8 @@ _PART: Final = Shape(
         "positions": strings("Positions of the kinematics in which it is there; absent: all."),
         "placed_at": text("The position whose coordinates place it in all of them."),
         "shape": tables("Its figures, the later over the earlier.", SHAPE),
-    }
+    },
+    former={"density_per": ""},  # the mass takes the density of the part's material
 )
 _DIMENSION: Final = Shape(
     {

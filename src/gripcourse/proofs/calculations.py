@@ -138,8 +138,8 @@ def _other_routes(plan: Plan, values: Mapping[str, float]) -> Iterator[Problem]:
     """Yield the declared routes that do not lead to the value of their quantity."""
     known = to_si(plan, values)
     for quantity in plan.answered:
-        if quantity.route is None:
-            continue
+        if quantity.route is None or not math.isfinite(values[quantity.id]):
+            continue  # a formula without a value is told as such
         unit = factor(quantity.unit)
         found = evaluate_number(quantity.route, quantity.unit, known, plan.columns) / unit
         if not math.isclose(found, values[quantity.id], rel_tol=_ONE_VALUE):

@@ -465,6 +465,27 @@ def test_views_that_no_sheet_has_room_for_are_named_with_file_and_key(draw: "Dra
     assert "A2" in str(problem.what)
 
 
+def test_a_main_view_that_shows_nothing_is_named(draw: "Draw") -> None:
+    drawn = draw("001")
+    assert drawn.plan.scheme.view is not None
+    view = replace(drawn.plan.scheme.view, parts=(), dimensions=(), labels=(), details=())
+    block = TitleBlock("001", "x", "x", "")
+    with pytest.raises(CourseError) as caught:
+        general_view(drawn.plan, view, drawn.values, block, Words("en"))
+    (problem,) = caught.value.problems
+    assert (problem.file, problem.key) == (view.file, "part")
+
+
+def test_every_characteristic_that_a_view_names_is_printed(draw: "Draw") -> None:
+    drawn = draw("001")
+    assert drawn.plan.scheme.view is not None
+    many = tuple(one.id for one in drawn.plan.answered if one.kind is Kind.FORMULA)[:9]
+    view = replace(drawn.plan.scheme.view, characteristics=many)
+    block = TitleBlock("001", "x", "x", "")
+    notes = general_view(drawn.plan, view, drawn.values, block, Words("en")).notes
+    assert len(notes[0].lines) == len(many)
+
+
 @pytest.mark.parametrize("declares", [True, False])
 def test_what_an_asterisk_means_is_said_once(draw: "Draw", *, declares: bool) -> None:
     """By the course's own requirement, else by the program."""

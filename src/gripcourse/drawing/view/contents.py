@@ -22,8 +22,10 @@ from gripcourse.drawing.view.cut_faces import Cut, cut_faces
 from gripcourse.drawing.view.extension_lines import begun, reach
 from gripcourse.drawing.view.numbers import Numbers, numbers_at
 from gripcourse.drawing.view.placed_shapes import Shown, as_other, shown
+from gripcourse.errors import CourseError, Problem
 from gripcourse.solver.plan import Plan
 from gripcourse.text.units import factor
+from gripcourse.text.words import message
 
 _NEVER_COVERED = {LineKind.CENTRE, LineKind.HIDDEN}
 _NEAR = 1e-3
@@ -128,7 +130,11 @@ class Figure:
 
 
 def figure(plan: Plan, view: View, solved: Mapping[str, float]) -> Figure:
-    """Put a variant's values, in declared units, into the view of its scheme."""
+    """Put a variant's values, in declared units, into the view of its scheme.
+
+    Raises:
+        CourseError: the main view shows nothing.
+    """
     main = numbers_at(plan, view, solved, view.position)
     other = numbers_at(plan, view, solved, view.other) if view.other else main
     there = [part for part in view.parts if not part.positions or view.position in part.positions]
@@ -136,6 +142,10 @@ def figure(plan: Plan, view: View, solved: Mapping[str, float]) -> Figure:
     shapes = [one for _, found in drawn for one in found]
     ghosts = _ghosts(view, other)
     seen = _seen(drawn, ghosts)
+    if not seen[Face.MAIN]:
+        what = message("The main view shows nothing: it has no shape whose numbers have a value.")
+        remedy = message("Correct what its shapes are drawn from.")
+        raise CourseError([Problem(view.file, "part", what, remedy)])
     measured = [_begun(one, seen) for one in _measured(view, main, other, solved)]
     return Figure(
         upright=view.upright,

@@ -71,7 +71,7 @@ def general_view(
         words: of the reader.
 
     Raises:
-        CourseError: no sheet has room for the views at any scale.
+        CourseError: no sheet has room for the views at any scale, or the main one shows nothing.
     """
     plain = figure(plan, view, values)
     details = details_of(plain, plan, view, values)

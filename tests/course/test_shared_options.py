@@ -1,4 +1,4 @@
-"""An option that no scheme lists is named: no variant would ever have it."""
+"""A shared option is listed by a scheme, and has each choice once."""
 
 import shutil
 from pathlib import Path
@@ -34,3 +34,12 @@ def test_an_option_is_not_called_spare_while_a_scheme_cannot_be_read(tmp_path: P
     (root / "variants" / "schemes" / "rod" / "scheme.toml").write_text("id =", encoding="utf-8")
     _, problems = read_course(root)
     assert {one.file for one in problems} == {"variants/schemes/rod/scheme.toml"}
+
+
+def test_two_choices_with_one_id_are_named(tmp_path: Path) -> None:
+    root = Path(shutil.copytree(skeleton_root(), tmp_path / "course"))
+    (root / "variants" / "options").mkdir()
+    twice = _OIL + _OIL[_OIL.index("[[choice]]") :]
+    (root / "variants" / "options" / "oil.toml").write_text(twice, encoding="utf-8")
+    _, problems = read_course(root)
+    assert "Two choices have the id 'thick'." in {str(one.what) for one in problems}
