@@ -39,3 +39,16 @@ def test_what_a_table_is_about_stands_above_it(above: int) -> None:
     about = '<h2>heading</h2><p class="note">about the table</p>'
     first, *_ = page_texts(f'<div style="height: {above}mm"></div>{about}{table}', CERTIFICATE)
     assert ("heading" in first) == ("about the table" in first) == ("row" in first)
+
+
+@pytest.mark.parametrize("above", [x / 4 for x in range(4 * HEIGHT - 80, 4 * HEIGHT - 50)])
+def test_what_was_noticed_at_length_goes_on_over_a_page_and_begins_beside_its_student(
+    above: float,
+) -> None:
+    said = "<br>".join(f"seen-{n}" for n in range(40))
+    name = 'name <br><span class="note">file</span>'
+    row = f'<tr class="long"><td>{name}</td><td>{said}</td></tr>'
+    table = f'<table class="flagged"><thead><tr><th>a</th><th>b</th></tr></thead>{row}</table>'
+    first, *_ = page_texts(f'<div style="height: {above}mm"></div>{table}', COHORT)
+    assert ("seen-0" in first) == ("name" in first) == ("file" in first)
+    assert "seen-39" not in first
