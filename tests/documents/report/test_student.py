@@ -351,6 +351,14 @@ def test_no_line_ends_between_the_sign_of_a_verdict_and_what_it_means(
         assert f"<b>{outcome.traits.sign}\u00a0{word}</b>" in unescape(page)
 
 
+def test_no_line_of_the_head_begins_with_a_separator(perfect: Report, printed: Printer) -> None:
+    with not_laid_out():
+        page = printed(perfect).decode()
+    head = page.partition('<p class="under">')[2].partition("</p>")[0]
+    assert "&nbsp;· " in head
+    assert " · " not in head
+
+
 def test_a_long_name_stands_on_the_first_page_and_the_last_tells_how_many_there_are(
     long_name: str, perfect_in: Callable[[str], bytes], pages_of: Callable[[bytes], list[str]]
 ) -> None:
