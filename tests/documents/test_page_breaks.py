@@ -1,12 +1,15 @@
-"""Where pages of documents end: nothing stands on another page than what it belongs to."""
+"""Where pages and cells end: nothing stands on another page than what it belongs to."""
+
+from typing import Any
 
 import pytest
 
-from support.laid_out import pages_of, texts
+from support.laid_out import cells, pages_of, text_edges, texts
 
 COHORT = ("page.css", "cohort.css")
 CERTIFICATE = ("page.css", "certificate.css")
 HEIGHT = 265  # mm of a page, about
+APART = 3.0  # mm between texts that are not one
 
 
 def page_texts(html: str, styles: tuple[str, ...]) -> list[str]:
@@ -39,3 +42,32 @@ def test_what_a_table_is_about_stands_above_it(above: int) -> None:
     about = '<h2>heading</h2><p class="note">about the table</p>'
     first, *_ = page_texts(f'<div style="height: {above}mm"></div>{about}{table}', CERTIFICATE)
     assert ("heading" in first) == ("about the table" in first) == ("row" in first)
+
+
+@pytest.mark.parametrize("above", [x / 4 for x in range(4 * HEIGHT - 80, 4 * HEIGHT - 50)])
+def test_what_was_noticed_at_length_goes_on_over_a_page_and_begins_beside_its_student(
+    above: float,
+) -> None:
+    said = "<br>".join(f"seen-{n}" for n in range(40))
+    name = 'name <br><span class="note">file</span>'
+    row = f'<tr class="long"><td>{name}</td><td>{said}</td></tr>'
+    table = f'<table class="flagged"><thead><tr><th>a</th><th>b</th></tr></thead>{row}</table>'
+    first, *_ = page_texts(f'<div style="height: {above}mm"></div>{table}', COHORT)
+    assert ("seen-0" in first) == ("name" in first) == ("file" in first)
+    assert "seen-39" not in first
+
+
+def test_what_a_variant_is_stands_apart_from_the_next_label() -> None:
+    row = "<tr><th>label</th><td>" + "value " * 30 + "</td><th>next</th><td>value</td></tr>"
+    columns = '<colgroup><col class="label"><col><col class="label"><col></colgroup>'
+    (page,) = pages_of(f'<table class="facts">{columns}{row}</table>', ("page.css",))
+    value, beside = next(cells(page, "td")), list(cells(page, "th"))[1]
+    (_, end), (begin, _) = edges_of(value), edges_of(beside)
+    assert begin - end >= APART
+
+
+def edges_of(cell: Any) -> tuple[float, float]:  # noqa: ANN401 - WeasyPrint ships no types
+    """Where the text of a cell begins and ends, mm."""
+    found = text_edges(cell)
+    assert found is not None
+    return found

@@ -11,6 +11,7 @@ from openpyxl import load_workbook
 from gripcourse.cli.demo.run import Demo, run_demo
 from gripcourse.course.load import load_course
 from gripcourse.course.model import Course
+from gripcourse.documents.assignment_sheet import asked_items
 from gripcourse.documents.pdf import pdf_from_html, render_html
 from gripcourse.documents.registry import document_kinds
 from gripcourse.policy.load import load_policy
@@ -136,3 +137,13 @@ def test_a_workbook_speaks_of_belts(belts: Course, belts_policy: Policy, languag
         )
         assert len(said) > 1000
         assert not OTHER_SUBJECT.findall(said)
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_the_sheet_says_once_how_a_size_is_taken(
+    belts: Course, belts_policy: Policy, language: str
+) -> None:
+    plan = make_plan(belts, "v_belt", {"tensioning": "screw"})
+    driven = [one for one in plan.answered if one.id == "large_diameter"]
+    (item,) = asked_items(driven, plan, belts_policy, Words(language))
+    assert item.text.count("(1 − ") == 1

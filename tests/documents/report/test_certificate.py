@@ -10,6 +10,7 @@ from itertools import pairwise
 
 import pytest
 
+from gripcourse.course.compose import declared_in
 from gripcourse.course.model import Course
 from gripcourse.documents.pdf import Document, render_html
 from gripcourse.documents.report.certificate import (
@@ -21,6 +22,7 @@ from gripcourse.documents.report.certificate import (
 )
 from gripcourse.exports.audit_tables import audit_tables
 from gripcourse.policy.model import Policy
+from gripcourse.policy.slips import SlipKind
 from gripcourse.text.words import LANGUAGES, Words
 from gripcourse.variants.audit import VariantAudit, audit
 from gripcourse.variants.draw import draw
@@ -225,3 +227,19 @@ def test_a_heading_of_a_column_ends_no_line_inside_a_word(
     for heading in headings:
         written = "".join(heading.element.itertext()).split(" ")
         assert [word for line in lines(heading) for word in line.split(" ") if word] == written
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_a_slip_is_named_by_its_title_and_not_by_its_id(
+    audited: VariantAudit, course: Course, policy: Policy, language: str
+) -> None:
+    quantities = declared_in(course, (one.composition for one in audited.steps))
+    quantity, slip = next((one, slip) for one in quantities.values() for slip in one.slips)
+    near = ((quantity.id, slip.id), (quantity.id, "power_of_ten:0.1"))
+    first = replace(audited.variants[0], slips=near)
+    found = replace(audited, variants=(first, *audited.variants[1:]))
+    values = certificate_values(found, SOURCE, course, policy, Words(language))
+    said = str(values["flagged"])
+    assert slip.hint.of(language).rstrip(".") in said
+    assert policy.slips.kinds[SlipKind.POWER_OF_TEN].title.of(language) in said
+    assert "power_of_ten" not in said

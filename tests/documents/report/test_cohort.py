@@ -73,6 +73,16 @@ def test_of_a_students_attempts_the_one_that_counts_is_in_the_statistics(
     assert attempts == ["", "Attempt 2 of 2: another one counts.", ""]
 
 
+def test_lateness_is_named_where_the_score_is_less_than_its_sections(
+    perfect: Report, printed: Callable[..., bytes]
+) -> None:
+    late = replace(perfect, timing=Timing(1, 1, True, None, None, 2, 0.2, ""))
+    said = "taken off the score, not off the points of sections"
+    with not_laid_out():
+        assert said in text_of_page(printed([perfect, late], "en"))
+        assert said not in text_of_page(printed([perfect], "en"))
+
+
 def test_everybody_is_listed_with_what_was_noticed(
     printed_in: Callable[[str], bytes],
     text_of: Callable[[bytes], str],

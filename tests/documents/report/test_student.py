@@ -4,6 +4,7 @@ from collections.abc import Callable
 from dataclasses import replace
 from datetime import date
 from functools import cache
+from html import unescape
 
 import pytest
 
@@ -338,6 +339,24 @@ def test_names_and_cells_are_text_and_never_markup(
     written = text(report)
     assert '<b>&"Иван' in written
     assert "<script>{{ 7*7 }}</script>" in written
+
+
+def test_no_line_ends_between_the_sign_of_a_verdict_and_what_it_means(
+    perfect: Report, blank: Change, printed: Printer
+) -> None:
+    with not_laid_out():
+        page = printed(blank(perfect, "bore")).decode()
+    for outcome in (Outcome.CORRECT, Outcome.BLANK):
+        word = RUSSIAN.say(outcome.traits.word)
+        assert f"<b>{outcome.traits.sign}\u00a0{word}</b>" in unescape(page)
+
+
+def test_no_line_of_the_head_begins_with_a_separator(perfect: Report, printed: Printer) -> None:
+    with not_laid_out():
+        page = printed(perfect).decode()
+    head = page.partition('<p class="under">')[2].partition("</p>")[0]
+    assert "&nbsp;· " in head
+    assert " · " not in head
 
 
 def test_a_long_name_stands_on_the_first_page_and_the_last_tells_how_many_there_are(

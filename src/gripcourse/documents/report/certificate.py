@@ -18,6 +18,7 @@ from gripcourse.documents.report.certificate_checks import check_lines, tested_f
 from gripcourse.documents.report.charts import share_plot
 from gripcourse.documents.report.columns import aligned, aligned_cells
 from gripcourse.documents.report.monotony import alike_rows, size_rows
+from gripcourse.documents.report.slip_titles import SlipTitles
 from gripcourse.documents.report.verdict_shares import verdict_rows
 from gripcourse.policy.model import Policy
 from gripcourse.slips.model import DECLARED
@@ -72,7 +73,9 @@ def certificate_values(
     audit: VariantAudit, source: CertificateSource, course: Course, policy: Policy, words: Words
 ) -> dict[str, object]:
     """Return what the template needs but the day; see `certificate` for the arguments."""
-    declared = _declared(audit, course, words)
+    found = declared_in(course, (one.composition for one in audit.steps))
+    declared = {id_: quantity.title.of(words.language) for id_, quantity in found.items()}
+    slips = SlipTitles(found, policy, words)
     titles = {id_: scheme.title.of(words.language) for id_, scheme in course.schemes.items()}
     flagged = [one for one in audit.variants if not one.passed]
     weak = audit.weak_items
@@ -95,7 +98,7 @@ def certificate_values(
         "beyond": bool(audit.apart.beyond),
         "pairs": _pairs(audit, declared, words),
         "flagged": [(one.variant.id, titles[one.variant.scheme],
-                     [words.say(said) for said in _sentences(one, audit, declared)])
+                     [words.say(said) for said in _sentences(one, audit, declared, slips)])
                     for one in flagged[:_MOST]],
         "flagged_rest": len(flagged[_MOST:]),
         "steps": [_steps(titles[scheme], tuple(found)) for scheme, found in _by_scheme(audit)],
@@ -111,7 +114,7 @@ def certificate_values(
         "rules": audit.rules,
         "slips_counted": audit.slips_counted,
         "slips": aligned_cells(
-            [_slips(kind, counts, policy, words) for kind, counts in _by_kind(audit)]
+            [_slips(kind, counts, slips, words) for kind, counts in _by_kind(audit)]
         ),
     }  # fmt: skip
 
@@ -154,12 +157,13 @@ def _shares(pair: Pair, words: Words) -> Iterator[str]:
 
 
 def _sentences(
-    checked: CheckedScheme, audit: VariantAudit, declared: Mapping[str, str]
+    checked: CheckedScheme, audit: VariantAudit, declared: Mapping[str, str], slips: SlipTitles
 ) -> Iterator[Message]:
     yield from checked.broken
     for quantity, slip in checked.slips:
+        title = slips.of(quantity, slip)
         yield message("the slip '{slip}' gives nearly the right result: {quantity}",
-                      slip=slip, quantity=_title(declared, quantity))  # fmt: skip
+                      slip=title, quantity=_title(declared, quantity))  # fmt: skip
     for quantity in checked.edges:
         yield message("the size lies at the edge of its step: {quantity}",
                       quantity=_title(declared, quantity))  # fmt: skip
@@ -221,11 +225,12 @@ def _by_kind(audit: VariantAudit) -> Iterator[tuple[str, list[SlipCount]]]:
     yield from sorted(kinds.items(), key=lambda one: (one[0] != DECLARED, -_mean(_varying(one[1]))))
 
 
-def _slips(kind: str, counts: Sequence[SlipCount], policy: Policy, words: Words) -> tuple[str, ...]:
-    titles = {one.value: slip.title.of(words.language) for one, slip in policy.slips.kinds.items()}
+def _slips(
+    kind: str, counts: Sequence[SlipCount], slips: SlipTitles, words: Words
+) -> tuple[str, ...]:
     sometimes = _varying(counts)
     return (
-        titles.get(kind) or words.say(message("declared by the course")),
+        slips.of_kind(kind),
         str(len(counts)),
         str(len(counts) - len(sometimes)),
         str(sum(one.near > 0 for one in sometimes)),
@@ -241,12 +246,6 @@ def _varying(counts: Sequence[SlipCount]) -> list[SlipCount]:
 def _mean(counts: Sequence[SlipCount]) -> float:
     variants = sum(one.variants for one in counts)
     return sum(one.near for one in counts) / variants if variants else 0.0
-
-
-def _declared(audit: VariantAudit, course: Course, words: Words) -> dict[str, str]:
-    """Return the title of every quantity that occurs; the first scheme's counts."""
-    found = declared_in(course, (one.composition for one in audit.steps))
-    return {id_: quantity.title.of(words.language) for id_, quantity in found.items()}
 
 
 def _title(declared: Mapping[str, str], quantity: str) -> str:

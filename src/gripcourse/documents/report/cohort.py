@@ -108,6 +108,7 @@ def cohort_values(
         "summary": list(_summary(reports, scores, words)),
         "sections": aligned_rows(rows, "mean", "median", "deviation", "extent"),
         "scales": [one.title.of(words.language) for one in policy.scales],
+        "late": any(one.timing is not None and one.timing.deduction for one in reports),
         "students": aligned_rows(students, "sections", "score", "open_points"),
         "score_plot": Chart(partial(score_plot, scores, words)) if scores else "",
         "section_plot": _section_plot(works, sections, words),
