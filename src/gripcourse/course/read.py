@@ -149,7 +149,7 @@ def _schemes(
     paths = _scheme_folders(folder / "schemes")
     found = (read_scheme(path, root, shared, problems) for path in paths)
     schemes = {scheme.id: scheme for scheme in found if scheme is not None}
-    if len(schemes) == len(paths):  # else one that cannot be read may list it
+    if paths and len(schemes) == len(paths):  # else one that is not read may list it
         problems += spare_options(
             shared.options, schemes.values(), options.relative_to(root).as_posix()
         )
