@@ -1,6 +1,6 @@
 """One wrong method in formulas that are alike: whoever thinks wrongly at both ends thinks so once.
 
-Positions, jaws and directions are computed by one formula with other numbers. A factor left out of
+Positions, sides and directions are computed by one formula with other numbers. A factor left out of
 it, or a sign the wrong way round, is one mistake wherever it is written down.
 """
 
