@@ -30,6 +30,21 @@ def finding(case: "Case", name: str, answer: Answer) -> Finding:
     return case.findings({**case.answers, name: answer})[name]
 
 
+@pytest.mark.filterwarnings("error")
+@pytest.mark.parametrize("times", [1e-30, 1e30, -1e30])
+def test_no_wrong_number_is_so_far_off_that_nothing_can_be_weighed(
+    hydraulic: "Case", typed: "Typed", times: float
+) -> None:
+    """The least of a spreadsheet's digits where 0 was meant, and what is divided by it."""
+    off = {
+        name: typed(name, by * hydraulic.reference[name], 5)
+        for name, by in (("lifting_load", times), ("grip_force", 7 * times))
+    }
+    found = hydraulic.findings({**hydraulic.answers, **off})
+    assert found["lifting_load"].outcome is Outcome.WRONG
+    assert found["grip_force"].outcome is Outcome.WRONG
+
+
 class TestTypedPrecision:
     def test_a_slip_is_matched_at_the_precision_that_was_typed(
         self, hydraulic: "Case", typed: "Typed"

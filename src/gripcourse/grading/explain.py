@@ -39,6 +39,8 @@ FROM_HABIT: Final = 0.2
 """Few shorten a constant so much that the result shows it."""
 
 _SLACK: Final = 1e-9  # relative: what floating point leaves of equal numbers
+# Spreads: farther off a log-normal density would be 0, and no other explanation could be weighed.
+_FARTHEST: Final = 10.0
 _HABITS_MOVE: Final = 0.1  # the share by which a shortened constant may change a result
 
 
@@ -206,7 +208,8 @@ def _density(comparison: Comparison, result: ExpectedRange, half_unit: float) ->
 def unexplained(comparison: Comparison) -> float:
     """Return how densely wrong numbers that nothing explains lie at an answer.
 
-    They scatter log-normally about the right one; either sign may be wrong too.
+    They scatter log-normally about the right one, and none is impossible; either sign may be wrong
+    too.
     """
     size = abs(comparison.value)
     right = abs(
@@ -215,7 +218,7 @@ def unexplained(comparison: Comparison) -> float:
     if size == 0 or right == 0 or not math.isfinite(right):
         return 1.0 / (size or 1.0)
     spread = comparison.policy.slips.spread
-    away = math.log(size / right) / spread
+    away = min(abs(math.log(size / right) / spread), _FARTHEST)
     return math.exp(-away * away / 2) / (2 * size * spread * math.sqrt(2 * math.pi))
 
 
