@@ -12,6 +12,7 @@ from typing import Final, TypeAlias, assert_never
 import numpy as np
 
 from gripcourse.formula.functions import FUNCTIONS, SLACK, Array, Column
+from gripcourse.formula.powers import power_of_arrays, power_of_numbers, raised
 from gripcourse.formula.single import SINGLE
 from gripcourse.formula.tree import Call, Name, Negation, Node, Number, Operation, Operator
 
@@ -153,6 +154,8 @@ def _single_operation(node: Operation) -> _Single:
             return _Single(_ARITHMETIC[operator](first, second), overflows=True)
         case Operation("/", left, right):
             return _Single(_quotient(_single(left).compute, of_numbers(right)), overflows=True)
+        case Operation("**", base, Number(exponent)) if exponent:
+            return _Single(_number_power_of(of_numbers(base), exponent), overflows=True)
         case Operation(operator, left, right):
             first, second = of_numbers(left), of_numbers(right)
             operation = _OF_NUMBERS[operator]
@@ -160,6 +163,11 @@ def _single_operation(node: Operation) -> _Single:
                 lambda values, columns: operation(first(values, columns), second(values, columns)),
                 overflows=False,
             )
+
+
+def _number_power_of(base: OfNumbers, exponent: float) -> OfNumbers:
+    raised_to = power_of_numbers(exponent)
+    return lambda values, columns: raised_to(base(values, columns))
 
 
 def _sum(first: OfNumbers, second: OfNumbers) -> OfNumbers:
@@ -214,7 +222,8 @@ def _operation(
 
 
 def _power_of(base: OfArrays, exponent: float) -> OfArrays:
-    return lambda values, columns, into: np.asarray(base(values, columns, into) ** exponent)
+    raised_to = power_of_arrays(exponent)
+    return lambda values, columns, into: raised_to(base(values, columns, into))
 
 
 def _call(name: str, arguments: tuple[OfArrays, ...], column: str | None) -> OfArrays:
@@ -265,10 +274,7 @@ def _power(base: Array, exponent: Array) -> Array:
 def _number_power(base: float, exponent: float) -> float:
     if math.isnan(base) or math.isnan(exponent):
         return math.nan
-    try:
-        return math.pow(base, exponent)
-    except (ValueError, OverflowError):  # a root of a negative number, 1/0, too large
-        return math.nan
+    return _known(raised(base, exponent))
 
 
 def _at_most(left: Array, right: Array) -> Array:
