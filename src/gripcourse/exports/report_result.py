@@ -141,6 +141,16 @@ class ReportResult:
     percent: float | None = None
     scales: Mapping[str, str] = field(default_factory=dict)
 
+    @property
+    def points_that_count(self) -> float | None:
+        """What is left after lateness; the score where the batch does not say it."""
+        return self.score if self.earned is None else self.earned
+
+    @property
+    def points_lost(self) -> float:
+        """Points that lateness took off."""
+        return (self.score or 0.0) - (self.points_that_count or 0.0)
+
     def to_dict(self) -> dict[str, Any]:
         """Return the plain form, for JSON."""
         return dict(to_plain(self))

@@ -128,6 +128,24 @@ def test_results_are_sent_once_and_again_where_they_changed(
     assert kept[-1].points == 10
 
 
+def test_the_platform_is_sent_what_lateness_leaves(
+    school: LtiCourse, run: Run, tmp_path: Path
+) -> None:
+    late = replace(report("s01", 16), earned=12.0, days_late=1)
+    release(school, tmp_path, late, replace(report("s02", 10, 5), earned=7.5, days_late=1))
+    assert run("send-grades").startswith("0 Sent: 2;")
+    sent = {one["userId"]: one for _, one in school.platform.scores}
+    anna, oksana = sent["user-anna"], sent["user-oksana"]
+    assert (anna["scoreGiven"], anna["scoreMaximum"]) == (12, 20)
+    assert anna["comment"].startswith("Баллы: 12 из 20.")
+    assert anna["comment"].endswith("снято баллов: 4.")
+    assert (oksana["scoreGiven"], oksana["scoreMaximum"]) == (7.5, 20)
+    # A waiver after the term gives them back, and the platform hears of it.
+    release(school, tmp_path, replace(late, earned=16.0, days_late=0))
+    assert run("send-grades").startswith("0 Sent: 1;")
+    assert school.platform.scores[-1][1]["scoreGiven"] == 16
+
+
 def test_one_that_fails_is_named_and_the_others_are_sent(
     school: LtiCourse, run: Run, tmp_path: Path
 ) -> None:

@@ -18,13 +18,7 @@ _NOTHING: Final = 1e-9  # points
 def comment_lines(work: GradedWork, course: Course, words: Words) -> Iterator[str]:
     """Yield the lines: the sum first, then each section, then what waits for a person."""
     yield _of(work.points, work.total, words)
-    if work.lost > _NOTHING:
-        said = message(
-            "Handed in late (days: {days}): minus {points} points.",
-            days=work.report.days_late or 0,  # whose time is unknown loses nothing
-            points=points_text(work.lost, words),
-        )
-        yield words.say(said)
+    yield from late_lines(work.report, words)
     for section in course.sections:
         inside = [one for one in work.report.findings if one.section == section.id]
         if inside:
@@ -37,6 +31,17 @@ def comment_lines(work: GradedWork, course: Course, words: Words) -> Iterator[st
             points=points_text(work.report.open_points, words),
             total=points_text(work.total, words),
             what=", ".join(_open_titles(work, course, words)),
+        )
+        yield words.say(said)
+
+
+def late_lines(report: ReportResult, words: Words) -> Iterator[str]:
+    """Say what lateness took off; nothing where it took nothing."""
+    if report.points_lost > _NOTHING:
+        said = message(
+            "Handed in late (days: {days}): minus {points} points.",
+            days=report.days_late or 0,  # whose time is unknown loses nothing
+            points=points_text(report.points_lost, words),
         )
         yield words.say(said)
 

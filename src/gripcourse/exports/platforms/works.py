@@ -33,13 +33,7 @@ class GradedWork:
     @property
     def points(self) -> float:
         """Points so far, after lateness: what waits for a person has none yet."""
-        left = self.report.score if self.report.earned is None else self.report.earned
-        return left or 0.0
-
-    @property
-    def lost(self) -> float:
-        """Points that lateness took off."""
-        return (self.report.score or 0.0) - self.points
+        return self.report.points_that_count or 0.0
 
     @property
     def total(self) -> float:

@@ -14,6 +14,7 @@ from gripcourse.access.lti.services import Score, line_item_of, send_score
 from gripcourse.access.lti.store import LtiStore
 from gripcourse.course.model import Course
 from gripcourse.errors import Problem, UsageError
+from gripcourse.exports.platforms.comment import late_lines
 from gripcourse.exports.report_result import ReportResult
 from gripcourse.text.words import Message, Words, message
 from gripcourse.usecases.publishing.publish import current, published_to
@@ -125,28 +126,31 @@ def send_grades(context: DeskContext, access: Access, wanted: ScoreOrder) -> Ite
 def score_of(report: ReportResult, issued: Issued, course: Course) -> Score | None:
     """Return what a platform is told of a result; None where the file could not be judged.
 
-    The comment holds points alone: whatever explains them stands on the student's own page.
+    The points are those that count: the platform knows nothing of our lateness and takes nothing
+    off. The comment holds points alone: whatever explains them stands on the student's own page.
     """
-    if not report.judged or report.score is None or report.max_score is None:
+    counted = report.points_that_count
+    if not report.judged or counted is None or report.max_score is None:
         return None
     words = Words(issued.student.language or course.language)
+    points = round(counted, _DECIMALS)
     maximum = report.max_score + report.open_points
     said = message(
         "Points: {points} of {maximum}. The report stands on your page.",
-        points=round(report.score, _DECIMALS),
+        points=points,
         maximum=round(maximum, _DECIMALS),
     )
     if report.open_points:
         said = message(
             "Points: {points}; {open} of {maximum} wait for a person.",
-            points=round(report.score, _DECIMALS),
+            points=points,
             open=round(report.open_points, _DECIMALS),
             maximum=round(maximum, _DECIMALS),
         )
     return Score(
-        points=round(report.score, _DECIMALS),
+        points=points,
         maximum=round(maximum, _DECIMALS),
-        comment=words.say(said),
+        comment=" ".join((words.say(said), *late_lines(report, words))),
         final=not report.open_points,
     )
 
