@@ -308,7 +308,11 @@ def demo_text(demo: "Demo", words: Words) -> str:
 def _score(report: "Report", words: Words) -> str:
     if not report.judged:
         return "—"
-    return f"{words.number(report.score, 4)} / {words.number(report.max_score, 4)}"
+    counts = f"{words.number(report.earned, 4)} / {words.number(report.max_score, 4)}"
+    if not report.is_cut:
+        return counts
+    before = message("before lateness: {points}", points=words.number(report.score, 4))
+    return f"{counts} ({words.say(before)})"
 
 
 def _flags(report: "Report", words: Words) -> str:

@@ -12,7 +12,7 @@ from types import MappingProxyType
 from typing import Final
 
 from gripcourse.documents.report.mistakes import is_anothers, mistakes_in
-from gripcourse.documents.report.standing import percent_of, standing_of
+from gripcourse.documents.report.standing import earned_percent_of, percent_of, standing_of
 from gripcourse.documents.report.totals import totals_of
 from gripcourse.exports.csv_text import number_cell, table_text, text_cell
 from gripcourse.grading.folded import Derivation, derived
@@ -34,7 +34,7 @@ class Called:
     words: Words
 
 
-_TIMED = ("earned", "attempt", "counts", "handed_in", "days_late")
+_TIMED = ("earned", "earned_percent", "attempt", "counts", "handed_in", "days_late")
 _PLAIN = Called((), Words("en"))
 
 
@@ -139,8 +139,10 @@ def _timing(report: Report) -> tuple[str, ...]:
     timing = report.timing
     if timing is None:
         return ("",) * len(_TIMED)
+    percent = earned_percent_of(report)
     return (
         number_cell(report.earned) if report.judged else "",
+        number_cell(percent) if report.judged and percent is not None else "",
         f"{timing.number}/{timing.of}",
         "1" if timing.counts else "0",
         "" if timing.handed_in is None else f"{timing.handed_in.astimezone(UTC):%Y-%m-%dT%H:%MZ}",

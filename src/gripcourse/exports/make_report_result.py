@@ -4,7 +4,7 @@ import math
 from collections.abc import Sequence
 from dataclasses import replace
 
-from gripcourse.documents.report.standing import percent_of, standing_of
+from gripcourse.documents.report.standing import earned_percent_of, percent_of, standing_of
 from gripcourse.exports.files import FileAccount, graded_account, reason_of
 from gripcourse.exports.report_result import (
     CauseResult,
@@ -89,6 +89,7 @@ def report_result(report: Report, words: Words, scales: Sequence[Scale] = ()) ->
         counts=_counts(report),
         percent=percent_of(report) if report.judged else None,
         scales=called if report.judged else {},
+        earned_percent=earned_percent_of(report) if report.judged else None,
     )
 
 

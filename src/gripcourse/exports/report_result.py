@@ -113,6 +113,7 @@ class ReportResult:
         counts: whether it is the work of the student that counts; null where there are several and
             the policy does not say which.
         percent: score as a percentage of the points that wait for nobody; null where not judged.
+        earned_percent: the same of what is left after lateness; null where not judged or not known.
         scales: by the id of each scale of the policy, what the earned points are called, in the
             language of the sentences; empty where points that wait for a person decide.
     """
@@ -140,6 +141,7 @@ class ReportResult:
     counts: bool | None = True
     percent: float | None = None
     scales: Mapping[str, str] = field(default_factory=dict)
+    earned_percent: float | None = None
 
     @property
     def points_that_count(self) -> float | None:

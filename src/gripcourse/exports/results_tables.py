@@ -24,7 +24,7 @@ Cells: TypeAlias = Mapping[str, Any]
 _WHO = ("student", "name", "group", "email", "variant")
 _STUDENTS = (
     *(*_WHO, "scheme", "score", "max_score", "percent", "open_points"),
-    *("earned", "days_late", "counts", "flags", "file"),
+    *("earned", "earned_percent", "days_late", "counts", "flags", "file"),
 )
 _SECTIONS = (*_WHO, "section", "points", "max_points", "open_points", "file")
 _QUANTITIES = (
@@ -149,6 +149,7 @@ def _student(report: ReportResult, students: Mapping[str, Student]) -> Cells:
         "open_points": _points(report.open_points) if report.judged else None,
         **report.scales,
         "earned": _points(report.earned),
+        "earned_percent": _points(report.earned_percent),
         "days_late": report.days_late,
         "counts": None if report.counts is None else int(report.counts),
         "flags": "; ".join(dict.fromkeys(one.code for one in report.flags)),

@@ -196,6 +196,11 @@ class Timing:
         return self.deadline is not None and self.handed_in is None
 
 
+def after_lateness(points: float, timing: Timing | None) -> float:
+    """Return what lateness leaves of points; all of them where no rule says anything."""
+    return points if timing is None else points * (1 - timing.deduction)
+
+
 @dataclass(frozen=True, slots=True)
 class Report:
     """The judgement of one submission.
@@ -261,7 +266,12 @@ class Report:
     @property
     def earned(self) -> float:
         """Points that count, after what lateness takes off."""
-        return self.score * (1 - (self.timing.deduction if self.timing else 0.0))
+        return after_lateness(self.score, self.timing)
+
+    @property
+    def is_cut(self) -> bool:
+        """Whether lateness takes points off."""
+        return self.earned < self.score
 
     @property
     def composition(self) -> Composition:

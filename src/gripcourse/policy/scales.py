@@ -17,7 +17,8 @@ _ID: Final = re.compile(r"[a-z][a-z0-9_]*")
 _COLUMNS: Final = frozenset(
     (
         *("student", "name", "group", "variant", "score", "max_score", "percent", "open_points"),
-        *("slips", "flags", "file", "attempt", "counts", "handed_in", "days_late", "earned"),
+        *("slips", "flags", "file", "attempt", "counts", "handed_in", "days_late"),
+        *("earned", "earned_percent"),
     )
 )
 

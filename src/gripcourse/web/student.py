@@ -174,7 +174,9 @@ def _results(published: ShownResult, titles: dict[str, str]) -> dict[str, object
     report = published.report
     return {
         "judged": report.judged,
+        "counts": report.points_that_count,
         "score": report.score,
+        "late": report.points_lost > 0,
         "max_score": report.max_score,
         "open_points": report.open_points,
         "printed": published.pdf is not None,

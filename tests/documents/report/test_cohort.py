@@ -83,6 +83,20 @@ def test_lateness_is_named_where_the_score_is_less_than_its_sections(
         assert said not in text_of_page(printed([perfect], "en"))
 
 
+def test_statistics_go_by_what_lateness_leaves_and_items_by_what_was_right(
+    perfect: Report, policy: Policy, course: Course
+) -> None:
+    late = replace(perfect, timing=Timing(1, 1, True, None, None, 2, 0.2, ""))
+    values = cohort_values([perfect, late], policy, course, Words("en"))
+    summary = dict(values["summary"])  # type: ignore[call-overload]
+    assert (summary["Mean"], summary["Median"]) == ("90%", "90%")
+    assert summary["Lowest and highest"].startswith("80%")
+    rows = values["students"]
+    assert isinstance(rows, list)
+    assert [row.before for row in rows] == ["", rows[0].score]
+    assert {row.mean for row in values["sections"]} == {"100%"}  # type: ignore[attr-defined]
+
+
 def test_everybody_is_listed_with_what_was_noticed(
     printed_in: Callable[[str], bytes],
     text_of: Callable[[bytes], str],

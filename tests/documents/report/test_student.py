@@ -11,7 +11,7 @@ import pytest
 from gripcourse.course.model import Course
 from gripcourse.documents.pdf import Document, render_html
 from gripcourse.documents.report.student import TEMPLATE, student_report, student_values
-from gripcourse.grading.model import Against, Cause, Flag, FlagCode, Outcome, Report
+from gripcourse.grading.model import Against, Cause, Flag, FlagCode, Outcome, Report, Timing
 from gripcourse.policy.model import Policy, Reveal
 from gripcourse.slips.model import SlipId
 from gripcourse.solver.plan import Plan
@@ -61,6 +61,19 @@ def test_the_result_comes_first(perfect: Report, text: Callable[..., str]) -> No
     assert f"{perfect.score:g} of {perfect.max_score:g} points, 100%" in written
     assert "21 May 2025" in written
     assert written.index("points, 100%") < written.index("Your answer")
+
+
+def test_what_lateness_leaves_stands_large_with_the_points_before_it(
+    perfect: Report, text: Callable[..., str]
+) -> None:
+    late = replace(perfect, timing=Timing(1, 1, True, None, None, 1, 0.25, ""))
+    whole = perfect.max_score
+    written = text(late, words=Words("en"))
+    assert f"{0.75 * whole:g} of {whole:g} points, 75% before lateness: {whole:g}" in written
+    waived = replace(late, timing=Timing(1, 1, True, None, None, 0, 0.0, "Hospital."))
+    written = text(waived, words=Words("en"))
+    assert f"{whole:g} of {whole:g} points, 100%" in written
+    assert "before lateness" not in written
 
 
 def test_every_section_and_quantity_is_listed(

@@ -119,6 +119,12 @@ def test_the_report_and_the_table_say_what_lateness_costs(office: Office) -> Non
     columns = header.split(",")
     cells = dict(zip(columns, rows[1].split(","), strict=False))
     assert float(cells["earned"]) == pytest.approx(reports[1].earned, abs=1e-3)
+    # Before lateness, and after it: two days of a tenth each.
+    right = float(cells["score"]) / float(cells["max_score"])
+    assert float(cells["percent"]) == pytest.approx(100 * right, abs=1e-3)
+    assert float(cells["earned_percent"]) == pytest.approx(80 * right, abs=1e-3)
+    told = report_result(reports[1], Words("en"))
+    assert told.earned_percent == pytest.approx(0.8 * (told.percent or 0), abs=1e-3)
     assert [cells[name] for name in ("attempt", "counts", "handed_in", "days_late")] == [
         "2/2",
         "1",

@@ -45,13 +45,15 @@ STYLES = ("page.css", "formula.css", "cohort.css")
 class StudentRow:
     """A student's line: texts in the order of the columns; `flags` counts what to look at.
 
-    `attempt` says of a work that another one counts; else it is empty.
+    `attempt` says of a work that another one counts; else it is empty. `score` is what counts;
+    `before` is what it was before lateness, empty where that took nothing off.
     """
 
     name: str
     attempt: str
     variant: str
     score: str
+    before: str
     grades: tuple[str, ...]
     sections: tuple[str, ...]
     open_points: str
@@ -108,8 +110,8 @@ def cohort_values(
         "summary": list(_summary(reports, scores, words)),
         "sections": aligned_rows(rows, "mean", "median", "deviation", "extent"),
         "scales": [one.title.of(words.language) for one in policy.scales],
-        "late": any(one.timing is not None and one.timing.deduction for one in reports),
-        "students": aligned_rows(students, "sections", "score", "open_points"),
+        "late": any(one.judged and one.is_cut for one in reports),
+        "students": aligned_rows(students, "sections", "score", "before", "open_points"),
         "score_plot": Chart(partial(score_plot, scores, words)) if scores else "",
         "section_plot": _section_plot(works, sections, words),
         "facility_plot": Chart(partial(facility_plot, bars, words)) if bars else "",
@@ -201,6 +203,7 @@ def _student(report: Report, sections: Sequence[str], policy: Policy, words: Wor
         attempt=attempt_text(report, words) if not is_counting(report) else "",
         variant=report.variant or "—",
         score=points_text(report.earned, words) if report.judged else "—",
+        before=points_text(report.score, words) if report.judged and report.is_cut else "",
         grades=tuple(grades or ["—"] * len(policy.scales)),
         sections=tuple(
             points_text(totals[section].points, words) if section in totals else "—"

@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from datetime import tzinfo
 
 from gripcourse.course.quantity import Quantity
-from gripcourse.grading.model import Report
+from gripcourse.grading.model import Report, after_lateness
 from gripcourse.policy.scales import CountedPoints, Scale, grade_text
 from gripcourse.text.amounts import percent_text, points_text
 from gripcourse.text.moments import moment_text, zone_name
@@ -16,13 +16,22 @@ def standing_of(report: Report) -> CountedPoints:
     return CountedPoints(
         earned=report.earned,
         possible=report.max_score + report.open_points,
-        waiting=report.open_points * (1 - (report.timing.deduction if report.timing else 0.0)),
+        waiting=after_lateness(report.open_points, report.timing),
     )
 
 
 def percent_of(report: Report) -> float | None:
     """Return the score as a percentage of the points that wait for nobody; None without any."""
-    return round(100 * report.score / report.max_score, 4) if report.max_score else None
+    return _percent(report.score, report)
+
+
+def earned_percent_of(report: Report) -> float | None:
+    """Return what lateness leaves of the score as a percentage, as `percent_of` does."""
+    return _percent(report.earned, report)
+
+
+def _percent(points: float, report: Report) -> float | None:
+    return round(100 * points / report.max_score, 4) if report.max_score else None
 
 
 def grades_of(report: Report, scales: tuple[Scale, ...], words: Words) -> list[tuple[str, str]]:

@@ -105,7 +105,7 @@ def student_values(
 ) -> dict[str, object]:
     """Return what the template needs but the date; see `student_report` for the arguments."""
     reveal = policy.reveal is Reveal.REFERENCE
-    share = report.score / report.max_score if report.max_score else None
+    share = report.earned / report.max_score if report.max_score else None
     sections = list(_sections(report, plan, policy, course, words))
     return {
         "course": course.title.of(words.language),
@@ -114,6 +114,8 @@ def student_values(
         "scheme": plan.scheme.title.of(words.language),
         "judged": report.judged,
         "score": report.score,
+        "earned": report.earned,
+        "late": report.is_cut,
         "max_score": report.max_score,
         "share": "" if share is None else percent_text(share, words),
         "open_points": report.open_points,

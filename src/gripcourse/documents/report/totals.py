@@ -108,9 +108,9 @@ def is_counting(report: Report) -> bool:
 
 
 def shares(reports: Sequence[Report]) -> list[float]:
-    """Return the score of each judged report as a share of its possible points."""
+    """Return what counts of each judged report, after lateness, as a share of what is possible."""
     return [
-        report.score / report.max_score for report in reports if report.judged and report.max_score
+        report.earned / report.max_score for report in reports if report.judged and report.max_score
     ]
 
 

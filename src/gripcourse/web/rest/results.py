@@ -144,9 +144,11 @@ class PublishedResult:
     Attributes:
         student: id.
         judged: false where the file could not be graded; the report says why.
-        score, max_score: in points, without what waits for a person; null where not judged.
+        score, max_score: in points, before lateness and without what waits for a person; null
+            where not judged.
         open_points: points of what waits for a person.
-        items: points of each answer.
+        items: points of each answer, before lateness.
+        earned: points that count: what lateness leaves of the score; null where not judged.
         report: whether there is a printed report.
         requests: what the student asked to be looked at again.
     """
@@ -161,3 +163,4 @@ class PublishedResult:
     items: tuple[ItemPointsResult, ...]
     report: bool
     requests: tuple[RequestResult, ...]
+    earned: float | None

@@ -162,6 +162,7 @@ def published_result(context: DeskContext, issued: Issued, words: Words) -> Publ
         ),
         report=published.pdf is not None,
         requests=tuple(request_result(one) for one in context.desk.requests(student)),
+        earned=told.points_that_count if told.judged else None,
     )
 
 
