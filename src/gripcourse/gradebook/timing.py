@@ -9,6 +9,7 @@ from zoneinfo import ZoneInfo
 from gripcourse.gradebook.model import GradebookEntry
 from gripcourse.gradebook.works import StudentWork, in_order, points_of
 from gripcourse.grading.model import Timing
+from gripcourse.policy.model import Policy
 from gripcourse.policy.time_rules import AttemptRule, Counts, LateRule
 
 _DAY = timedelta(days=1)
@@ -41,6 +42,31 @@ class Rules:
 
     late: LateRule | None
     attempts: AttemptRule | None
+
+
+def timings_by_policy(
+    policy: Policy,
+    works: Sequence[StudentWork],
+    marked: Mapping[str, GradebookEntry],
+    deadline: datetime | None,
+    waived: Sequence[Waiver],
+) -> dict[str, Timing]:
+    """Return the timing of each work of one student, by digest; none where no rule asks for it.
+
+    Whoever tells what counts asks here: grading and the desk must not differ.
+
+    Args:
+        policy: of the course.
+        works: of the student.
+        marked: the marks of the student that count, by quantity.
+        deadline: of the student; None for none. It means nothing where lateness costs nothing.
+        waived: the student's waivers, oldest first.
+    """
+    if policy.late is None and policy.attempts is None:
+        return {}
+    costly = deadline if policy.late is not None else None
+    last = waived[-1] if waived else None
+    return timings_of(works, marked, costly, last, Rules(policy.late, policy.attempts))
 
 
 def timings_of(

@@ -7,10 +7,10 @@ from datetime import datetime
 from enum import StrEnum
 
 from gripcourse.access.desk.model import HandIn, RegradeRequest
-from gripcourse.gradebook.model import Attempt, GradebookEntry, latest_marks_of_all
+from gripcourse.gradebook.model import GradebookEntry, latest_marks_of_all
 from gripcourse.gradebook.store import Gradebook
-from gripcourse.gradebook.works import latest_judged, points_of
 from gripcourse.text.spelling import alphabetical, plain
+from gripcourse.usecases.serving.counted import CountedWork, counted_works
 from gripcourse.usecases.serving.desk import DeskContext
 from gripcourse.usecases.serving.hand_in import is_late, latest
 from gripcourse.variants.model import Issued, Student
@@ -26,7 +26,7 @@ class GroupMember:
         late: whether it came after the last day.
         files, checks: how many.
         requests: for another look that no mark of the item has answered since.
-        attempt: the last one that was judged; None for none.
+        work: the one that counts; None for none.
         marked: the marks of persons that count, by quantity.
     """
 
@@ -36,13 +36,18 @@ class GroupMember:
     files: int
     checks: int
     requests: int
-    attempt: Attempt | None
+    work: CountedWork | None
     marked: Mapping[str, GradebookEntry]
 
     @property
     def points(self) -> float:
-        """What the last work came to, with the marks of persons."""
-        return 0.0 if self.attempt is None else points_of(self.attempt.results, self.marked).score
+        """What the work that counts came to before lateness, with the marks of persons."""
+        return 0.0 if self.work is None else self.work.sums.score
+
+    @property
+    def earned(self) -> float:
+        """What lateness leaves of the points."""
+        return 0.0 if self.work is None else self.work.earned
 
 
 def newer_than(rows: Iterable[GroupMember], at: datetime) -> tuple[int, int]:
@@ -124,7 +129,7 @@ def _members(
     files = Counter(one.student for one in hand_ins)
     checks = Counter(one.student for one in context.desk.checks(only))
     book, names = Gradebook(context.desk.engine), None if only is None else {only}
-    attempts = latest_judged(book.standing(names))
+    works = counted_works(context, names)
     marked = latest_marks_of_all(book.entries(names))
     requests = Counter(
         one.student
@@ -139,7 +144,7 @@ def _members(
             files=files[id_],
             checks=checks[id_],
             requests=requests[id_],
-            attempt=attempts.get(id_),
+            work=works.get(id_),
             marked=marked.get(id_, {}),
         )
         for id_, issued in group.items()

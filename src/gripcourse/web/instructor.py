@@ -120,7 +120,7 @@ def student(seat: Seat) -> Response:
         "attempts": book.attempts({id_}),
         "results": [
             (one, seat.words.say(one.outcome.traits.word))
-            for one in (() if row.attempt is None else row.attempt.results)
+            for one in (() if row.work is None else row.work.attempt.results)
         ],
         "marks": [entry.mark for entry in book.entries({id_})],
         "requests": [(one, is_answered(one, row.marked)) for one in context.desk.requests(id_)],

@@ -91,6 +91,7 @@ def figures(seat: Seat) -> Response:
     titles = titles_of(context, seat.words)
     values: dict[str, object] = {
         "found": found,
+        "late": context.policy.late is not None,
         "most": max(found.scores, default=0),
         "sections": list(_named(found.sections, sections)),
         "items": list(_named(found.items[:_HARDEST], titles)),

@@ -22,7 +22,7 @@ from gripcourse.gradebook.model import (
 )
 from gripcourse.gradebook.results import digest_is_known
 from gripcourse.gradebook.store import Gradebook, open_gradebook
-from gripcourse.gradebook.timing import Rules, Waiver, timings_of
+from gripcourse.gradebook.timing import Waiver, timings_by_policy
 from gripcourse.gradebook.works import StudentWork, works_of
 from gripcourse.grading.folded import Shelf
 from gripcourse.grading.model import FlagCode, Report, Timing
@@ -175,18 +175,17 @@ def _kept(
     for name in students:
         stands = {one.digest: one.attempt for one in works[name] if (name, one.digest) in told}
         entered = [_entered(one, stands.get(one.digest), entries[name]) for one in reports[name]]
-        if policy.late is not None or policy.attempts is not None:
-            issued = keeping.context.register.get(name)
-            timings = timings_of(
-                works[name],
-                latest_marks(entries[name]),
-                _deadline(issued, keeping.deadlines, policy.late),
-                keeping.waived.get(name, (None,))[-1],
-                Rules(policy.late, policy.attempts),
-            )
+        timings = timings_by_policy(
+            policy,
+            works[name],
+            latest_marks(entries[name]),
+            _deadline(keeping.context.register.get(name), keeping.deadlines, policy.late),
+            keeping.waived.get(name, ()),
+        )
+        if timings:
             entered = [replace(one, timing=timings.get(one.digest)) for one in entered]
-            if policy.attempts is not None and _is_ordered(timings.values()):
-                entered = [_undisputed(one) for one in entered]
+        if policy.attempts is not None and _is_ordered(timings.values()):
+            entered = [_undisputed(one) for one in entered]
         yield name, entered
 
 

@@ -8,8 +8,8 @@ from typing import Final
 
 from gripcourse.gradebook.model import Attempt, GradebookEntry, latest_marks_of_all
 from gripcourse.gradebook.store import Gradebook
-from gripcourse.gradebook.works import latest_judged, points_of
 from gripcourse.solver.plan import Plan, plan_of
+from gripcourse.usecases.serving.counted import counted_works
 from gripcourse.usecases.serving.desk import DeskContext
 
 BINS: Final = 10
@@ -33,14 +33,15 @@ class Facility:
 
 @dataclass(frozen=True, slots=True)
 class GroupFigures:
-    """What the last works of a group came to, with the marks of persons.
+    """What the works of a group that count came to, with the marks of persons.
 
     Attributes:
         works: how many have points.
-        scores: how many of them earned a tenth of the points each: 0…10 %, …, 90…100 %.
-        mean, median: of the shares, 0…1; None where there is no work.
-        sections: in the order of the course.
-        items: quantities, the hardest first.
+        scores: how many of them earned a tenth of the points each, after lateness: 0…10 %, …,
+            90…100 %.
+        mean, median: of the shares after lateness, 0…1; None where there is no work.
+        sections: in the order of the course; before lateness.
+        items: quantities, the hardest first; before lateness.
     """
 
     works: int
@@ -69,13 +70,9 @@ def group_figures(context: DeskContext) -> GroupFigures:
     """
     register, book = context.register(), Gradebook(context.desk.engine)
     marked = latest_marks_of_all(book.entries())
-    works = {
-        student: attempt
-        for student, attempt in latest_judged(book.standing()).items()
-        if student in register
-    }
-    sums = (points_of(one.results, marked.get(student, {})) for student, one in works.items())
-    scores = [one.score / one.max_score for one in sums if one.max_score > 0]
+    counted = counted_works(context)
+    scores = [one.earned / one.sums.max_score for one in counted.values() if one.sums.max_score > 0]
+    works = {student: one.attempt for student, one in counted.items()}
     plans = {
         student: plan_of(context.course, register[student].variant.composition) for student in works
     }

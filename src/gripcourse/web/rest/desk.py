@@ -174,7 +174,8 @@ def _member(row: GroupMember) -> MemberResult:
         files=row.files,
         checks=row.checks,
         requests=row.requests,
-        points=None if row.attempt is None else row.points,
+        points=None if row.work is None else row.points,
+        earned=None if row.work is None else row.earned,
     )
 
 

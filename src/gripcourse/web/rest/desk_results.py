@@ -55,7 +55,8 @@ class MemberResult:
         late: whether it came after the last day.
         files, checks: how many.
         requests: for another look that no mark of the item has answered since.
-        points: of the last file that was graded, with marks of persons; null for none.
+        points: of the file that counts, before lateness and with marks of persons; null for none.
+        earned: what lateness leaves of them, which counts; null for none.
     """
 
     student: str
@@ -68,6 +69,7 @@ class MemberResult:
     checks: int
     requests: int
     points: float | None
+    earned: float | None
 
 
 @dataclass(frozen=True, slots=True)

@@ -28,14 +28,14 @@ class FacilityResult:
 
 @dataclass(frozen=True, slots=True)
 class FiguresResult:
-    """What the last works of the group came to, with the marks of persons.
+    """What the works of the group that count came to, with the marks of persons.
 
     Attributes:
         works: how many have points.
-        scores: how many of them earned a tenth of the points each, the lowest first.
-        mean, median: of the shares, 0 to 1; null where there is no work.
-        sections: in the order of the course.
-        items: the hardest first.
+        scores: how many of them earned a tenth of the points each after lateness, the lowest first.
+        mean, median: of the shares after lateness, 0 to 1; null where there is no work.
+        sections: in the order of the course; before lateness.
+        items: the hardest first; before lateness.
     """
 
     SCHEMA: ClassVar[str] = "gripcourse/figures/1"
