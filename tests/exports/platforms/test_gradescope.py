@@ -38,6 +38,7 @@ def test_lateness_costs_on_a_platform_what_it_costs_in_the_grades(
     late = replace(report, earned=report.score / 2, days_late=5)
     plain = gradescope_results(late, course, Words("ru"), published=False)
     assert plain["score"] == pytest.approx(report.score / 2, abs=1e-3)
+    assert plain["output"].startswith("Сдано с опозданием (дней: 5), снято баллов:")
     earlier = replace(report, score=1.0, earned=1.0, counts=False)
     ((work,), notes) = works_of(GradesResult((earlier, late), needs_person=False), {})
     assert (work.points, notes) == (report.score / 2, ())

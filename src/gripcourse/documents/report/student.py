@@ -28,7 +28,7 @@ from gripcourse.documents.report.worked import notation_notes
 from gripcourse.grading.model import Finding, FlagCode, Outcome, Report
 from gripcourse.policy.model import Policy, Reveal
 from gripcourse.solver.plan import Plan
-from gripcourse.text.amounts import percent_text, points_text, points_up_to
+from gripcourse.text.amounts import NO_BREAK_SPACE, percent_text, points_text, points_up_to
 from gripcourse.text.words import Message, Words, message
 
 TEMPLATE = "student.html.j2"
@@ -115,7 +115,7 @@ def student_values(
         "judged": report.judged,
         "score": report.score,
         "earned": report.earned,
-        "late": report.is_cut,
+        "before": _before(report, words),
         "max_score": report.max_score,
         "share": "" if share is None else percent_text(share, words),
         "open_points": report.open_points,
@@ -145,6 +145,15 @@ def student_values(
             if any(finding.outcome is outcome for finding in report.findings)
         ],
     }
+
+
+def _before(report: Report, words: Words) -> str:
+    """Return the points before lateness in words; nothing where it takes nothing off."""
+    if not report.is_cut:
+        return ""
+    said = message("before lateness: {points}", points=points_text(report.score, words))
+    # The number stands in a narrow column, and never on a line of its own.
+    return words.say(said).replace(": ", f":{NO_BREAK_SPACE}")
 
 
 def _misplaced(report: Report) -> Iterator[Message]:

@@ -4,7 +4,7 @@ from collections.abc import Iterator
 from typing import Any, Final
 
 from gripcourse.course.model import Course, Section
-from gripcourse.exports.platforms.comment import titles_of
+from gripcourse.exports.platforms.comment import late_lines, titles_of
 from gripcourse.exports.report_result import FindingResult, ReportResult
 from gripcourse.text.words import Words, message
 
@@ -35,7 +35,11 @@ def gradescope_results(
             "visibility": _HIDDEN,
             "stdout_visibility": _HIDDEN,
         }
-    remarks = [*report.remarks, *(cause.message for cause in report.causes)]
+    remarks = [
+        *late_lines(report, words),
+        *report.remarks,
+        *(cause.message for cause in report.causes),
+    ]
     late = report.earned is not None and report.earned < (report.score or 0.0)
     return {
         # What lateness takes off belongs to no section.
