@@ -70,6 +70,8 @@ def test_what_lateness_leaves_stands_large_with_the_points_before_it(
     whole = perfect.max_score
     written = text(late, words=Words("en"))
     assert f"{0.75 * whole:g} of {whole:g} points, 75% before lateness: {whole:g}" in written
+    waiting = text(replace(late, open_points=8.0), words=Words("en"))
+    assert "and up to 6 points more that the instructor marks" in waiting
     waived = replace(late, timing=Timing(1, 1, True, None, None, 0, 0.0, "Hospital."))
     written = text(waived, words=Words("en"))
     assert f"{whole:g} of {whole:g} points, 100%" in written

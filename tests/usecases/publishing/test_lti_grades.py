@@ -144,6 +144,13 @@ def test_the_platform_is_sent_what_lateness_leaves(
     release(school, tmp_path, replace(late, earned=16.0, days_late=0))
     assert run("send-grades").startswith("0 Sent: 1;")
     assert school.platform.scores[-1][1]["scoreGiven"] == 16
+    # Of several works the one that counts is published, wherever it stands in the batch.
+    other = replace(report("s01", 5), counts=False)
+    release(school, tmp_path, other, replace(late, score=14.0, earned=14.0), other)
+    assert run("send-grades").startswith("0 Sent: 1;")
+    assert school.platform.scores[-1][1]["scoreGiven"] == 14
+    release(school, tmp_path, other)
+    assert run("send-grades").startswith("0 Sent: 0;")
 
 
 def test_one_that_fails_is_named_and_the_others_are_sent(

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 
 from gripcourse.documents.report.answers import is_unreadable, shortened
 from gripcourse.documents.report.root_causes import first_affected
+from gripcourse.documents.report.standing import standing_of
 from gripcourse.documents.report.totals import empty_sections, is_blank
 from gripcourse.grading.model import Finding, Report
 from gripcourse.solver.plan import Plan
@@ -85,7 +86,7 @@ def next_steps(report: Report, plan: Plan, words: Words) -> NextSteps:
             _where(report, lambda one: is_blank(one) and one.section not in empty), plan, words
         ),
         waiting=_named(_where(report, lambda one: one.is_open), plan, words),
-        waiting_points=points_up_to(report.open_points, words),
+        waiting_points=points_up_to(standing_of(report).waiting, words),
     )
 
 

@@ -16,7 +16,7 @@ from gripcourse.documents.report.answers import AnswerRow, answer_row, own_numbe
 from gripcourse.documents.report.columns import aligned_rows
 from gripcourse.documents.report.next_steps import next_steps
 from gripcourse.documents.report.root_causes import cause_rows
-from gripcourse.documents.report.standing import grades_of, timing_texts, waiting_text
+from gripcourse.documents.report.standing import grades_of, standing_of, timing_texts, waiting_text
 from gripcourse.documents.report.totals import (
     SectionTotal,
     empty_sections,
@@ -119,6 +119,7 @@ def student_values(
         "max_score": report.max_score,
         "share": "" if share is None else percent_text(share, words),
         "open_points": report.open_points,
+        "to_come": standing_of(report).waiting,
         "grades": grades_of(report, policy.scales, words),
         "timing": timing_texts(report, words),
         "waits": waiting_text(report, plan.quantities, words),

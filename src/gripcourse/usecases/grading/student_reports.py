@@ -9,7 +9,7 @@ from typing import TypeAlias
 
 from gripcourse.course.model import Course
 from gripcourse.documents.look import Look, look_of, with_look
-from gripcourse.documents.report.totals import peers_text
+from gripcourse.documents.report.totals import is_counting, peers_text
 from gripcourse.grading.known_by import KnownBy
 from gripcourse.grading.model import Report
 from gripcourse.machine.enclosed import file_below
@@ -168,7 +168,8 @@ def _keep(pdf: bytes | Lost, path: Path | None) -> Path | Lost | None:
 def _paths(reports: Sequence[Report], folder: Path) -> list[Path | None]:
     """Name each report after its student; a second file of a student gets a number.
 
-    The surest file of a student comes first: nobody's file takes the name of another's report.
+    The work that counts comes first, then the surest file of a student: nobody's file takes the
+    name of another's report.
     """
     paths: list[Path | None] = [None] * len(reports)
     named: Counter[str] = Counter()
@@ -181,5 +182,5 @@ def _paths(reports: Sequence[Report], folder: Path) -> list[Path | None]:
     return paths
 
 
-def _certainty(report: Report) -> tuple[bool, int]:
-    return not report.judged, tuple(KnownBy).index(report.known_by)
+def _certainty(report: Report) -> tuple[bool, bool, int]:
+    return not is_counting(report), not report.judged, tuple(KnownBy).index(report.known_by)

@@ -35,7 +35,7 @@ class ScoreFate(StrEnum):
 
     SENT = "sent"
     UNCHANGED = "unchanged"  # the platform has it
-    NO_RESULT = "no_result"  # nothing is published, or the file could not be judged
+    NO_RESULT = "no_result"  # nothing is published, or the file was not judged or counts not
     NOT_SEEN = "not_seen"  # nobody came by the platform who is this student
     FAILED = "failed"
     NOT_TRIED = "not_tried"  # the platform had stopped answering
@@ -124,13 +124,13 @@ def send_grades(context: DeskContext, access: Access, wanted: ScoreOrder) -> Ite
 
 
 def score_of(report: ReportResult, issued: Issued, course: Course) -> Score | None:
-    """Return what a platform is told of a result; None where the file could not be judged.
+    """Return what a platform is told of a result; None for a file not judged or not counting.
 
     The points are those that count: the platform knows nothing of our lateness and takes nothing
     off. The comment holds points alone: whatever explains them stands on the student's own page.
     """
     counted = report.points_that_count
-    if not report.judged or counted is None or report.max_score is None:
+    if not report.judged or counted is None or report.max_score is None or report.counts is False:
         return None
     words = Words(issued.student.language or course.language)
     points = round(counted, _DECIMALS)

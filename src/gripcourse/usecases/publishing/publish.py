@@ -9,6 +9,7 @@ from gripcourse.access.desk.model import Publication
 from gripcourse.errors import NextStep, Problem, UsageError
 from gripcourse.exports.report_result import GradesResult, ReportResult
 from gripcourse.gradebook.journal import Signed
+from gripcourse.grading.model import KnownBy
 from gripcourse.machine.database.home import home_of
 from gripcourse.machine.files import make_private_folder, write_bytes, write_text
 from gripcourse.text.words import message
@@ -78,15 +79,22 @@ def _free_number(context: DeskContext) -> int:
 def _copy(context: DeskContext, graded: Path, folder: Path) -> None:
     """Copy what students of the register are told, and the table of grades."""
     plain = json.loads((graded / GRADES_JSON).read_text(encoding="utf-8"))
-    register = context.register()
-    for report in GradesResult.from_dict(plain).reports:
+    register, told = context.register(), dict[str, ReportResult]()
+    # Of a student's works the one whose printed report has no number: see `student_reports`.
+    for report in sorted(GradesResult.from_dict(plain).reports, key=_certainty):
         if report.student in register:
-            text = json.dumps(report.to_dict(), ensure_ascii=False, allow_nan=False)
-            write_text(folder / f"{report.student}.json", text, private=True)
-            printed = graded / REPORTS / f"{report.student}.pdf"
-            if printed.is_file():
-                write_bytes(folder / printed.name, printed.read_bytes(), private=True)
+            told.setdefault(report.student, report)
+    for student, report in told.items():
+        text = json.dumps(report.to_dict(), ensure_ascii=False, allow_nan=False)
+        write_text(folder / f"{student}.json", text, private=True)
+        printed = graded / REPORTS / f"{student}.pdf"
+        if printed.is_file():
+            write_bytes(folder / printed.name, printed.read_bytes(), private=True)
     write_bytes(folder / GRADES_CSV, (graded / GRADES_CSV).read_bytes(), private=True)
+
+
+def _certainty(report: ReportResult) -> tuple[bool, bool, int]:
+    return report.counts is False, not report.judged, tuple(KnownBy).index(report.known_by)
 
 
 def withdraw(context: DeskContext, by: str, why: str, now: datetime) -> Publication:
