@@ -16,16 +16,31 @@ def test_two_lines_are_better_than_one_in_tiny_letters(material: str) -> None:
     assert found.height >= SMALL
 
 
-def test_what_fits_into_one_line_of_smaller_letters_stays_in_one() -> None:
+def test_what_fits_into_one_line_of_somewhat_narrower_letters_stays_in_one() -> None:
     found = set_in("По расчёту", 3.5, CELL, most=2)
     assert found.lines == ("По расчёту",)
-    assert SMALL < found.height < 3.5
+    assert found.height == 3.5
+    assert found.squeeze > 0.75
+
+
+@pytest.mark.parametrize("name", ["Шевченко О. К.", "Константинопольская", "RTK-41, 2 year"])
+def test_letters_of_a_low_row_are_narrowed_rather_than_made_smaller(name: str) -> None:
+    """Beneath 2.5 mm the letters of a title block are hard to read: its low rows hold one line."""
+    found = set_in(name, SMALL, (21.0, 5.0), most=2)
+    assert (found.lines, found.height) == ((name,), SMALL)
+    assert found.squeeze >= 0.6
+
+
+def test_a_name_that_one_line_cannot_hold_is_not_cut() -> None:
+    found = set_in("Константинопольский-Черноризский Ю. А.", SMALL, (21.0, 5.0), most=2)
+    assert len(found.lines) == 2
+    assert found.squeeze > 0.6
 
 
 @pytest.mark.parametrize(
     ("words", "room", "lines"),
     [
-        ("Проєктування захватного пристрою промислового робота", (48.0, 15.0), 3),
+        ("Проєктування захватного пристрою маніпуляційного промислового робота", (48.0, 15.0), 3),
         ("Сталь 40Х поліпш.", CELL, 2),
     ],
 )

@@ -58,7 +58,7 @@ class Cells:
         middle: bool = False,
         most: int = 1,
     ) -> None:
-        """Write into a cell in so many lines at most, squeezed, then smaller, to fit."""
+        """Write into a cell in so many lines at most, squeezed or smaller to fit."""
         room = (size[0] - 2 * PAD, size[1])
         x = corner[0] + (size[0] / 2 if middle else PAD)
         found = set_in(text, height, room, most)

@@ -1,9 +1,10 @@
 """Letters on a drawing: one font, one line, any content."""
 
 import math
+import re
 from dataclasses import dataclass
 from functools import lru_cache
-from itertools import groupby
+from itertools import combinations, groupby, pairwise
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
@@ -26,21 +27,25 @@ NARROWEST = 0.5  # what a line may be squeezed to before it is cut
 
 LEADING = 1.45  # from one line to the next, in heights of capital letters
 _CLEAR = 0.2  # of lines above and below several of them, in these heights
+_HEIGHTS = (5.0, 3.5, 2.5)  # mm, of GOST 2.304; its 1.8 is too small to be read on a sheet
 _WIDE = 0.9  # of their width and more: nobody sees that letters are squeezed
-_WELL = 0.7  # of their width, or of their height: 2.5 of 3.5 mm (GOST 2.304)
-_WIDE_ENOUGH = 0.6  # of their width: such letters are still read
-_READ_HEIGHT = 1.8  # mm, the smallest letters of GOST 2.304
-_LEAST_HEIGHT = 1.0  # mm: smaller letters cannot be read
+_WELL = 0.75  # of their width: better than letters of the next smaller height
+WIDE_ENOUGH = 0.6  # of their width: such letters are still read
+_PIECES = re.compile(r"[^\s-]*(?:-+|\s+|$)")
 _CUT = "…"
 _END = "|"
 
 
 @dataclass(frozen=True, slots=True)
 class Setting:
-    """How a text is set: its lines, and the height of their capital letters, mm."""
+    """How a text is set: its lines, the height of their capital letters, mm, and their width.
+
+    `squeeze` is what the widest line is narrowed by; less than `NARROWEST` where it is to be cut.
+    """
 
     lines: tuple[str, ...]
     height: float
+    squeeze: float
 
 
 def add_text(  # noqa: PLR0913 (a text is its place, size, direction and layer)
@@ -107,15 +112,13 @@ def fitted(text: str, height: float, widest: float | None) -> tuple[str, float]:
     return line.rstrip() + _CUT, NARROWEST
 
 
-def height_within(text: str, height: float, width: float) -> float:
-    """Return the height at which a line fits into a width, as far as it can still be read."""
-    return max(min(_READ_HEIGHT, height), height * min(1.0, width / text_width(text, height)))
-
-
 def set_in(
     text: str, height: float, room: tuple[float, float], most: int, between: str = " "
 ) -> Setting:
     """Choose lines and height: as few lines as need no squeezing, else as can be read well.
+
+    Letters are of the standard's heights. They become smaller only where there is no room for lines
+    of the smallest, and one line would have to be squeezed beyond what can be drawn.
 
     Args:
         text: the words.
@@ -124,29 +127,55 @@ def set_in(
         most: lines.
         between: where they may be broken.
     """
-    settings = [_set(text, height, room, count, between) for count in range(1, most + 1)]
-    widths = [one.height * _squeeze(one, room[0]) / height for one in settings]
-    for enough in (_WIDE, _WELL, _WIDE_ENOUGH, max(widths)):
-        for one, width in zip(settings, widths, strict=True):
-            if width >= enough:
+    heights = [one for one in _HEIGHTS if one <= height] or [height]
+    settings = [
+        [_set(text, high, room, count, between) for count in _counts(high, room, most)]
+        for high in heights
+    ]
+    tries = [(found, least) for found in settings for least in (_WIDE, _WELL)]
+    for found, least in (*tries, (settings[-1], WIDE_ENOUGH), (settings[-1], NARROWEST)):
+        for one in found:
+            if one.squeeze >= least:
                 return one
-    return settings[0]
+    tiny = [
+        _set(text, high, room, count, between)
+        if between.strip()
+        else _balanced(text, high, room[0], count)
+        for count in range(1, most + 1)
+        for high in [min(heights[-1], room[1] / _lines_high(count))]
+    ]
+    return max(tiny, key=lambda one: one.squeeze)
+
+
+def _balanced(text: str, height: float, width: float, count: int) -> Setting:
+    """Break a text between words, or behind a hyphen, so that its widest line is the narrowest."""
+    pieces = [one for one in _PIECES.findall(one_line(text)) if one]
+    places = range(1, len(pieces))
+    ways = combinations(places, min(count - 1, len(places)))
+    found = [
+        tuple("".join(pieces[low:high]).strip() for low, high in pairwise((0, *way, len(pieces))))
+        for way in ways
+    ]
+    return max((_setting(lines, height, width) for lines in found), key=lambda one: one.squeeze)
+
+
+def _counts(height: float, room: tuple[float, float], most: int) -> list[int]:
+    return [one for one in range(1, most + 1) if height * _lines_high(one) <= room[1]]
+
+
+def _lines_high(count: int) -> float:
+    """Return how high so many lines stand, in heights of capital letters."""
+    return LEADING * count + _CLEAR * (count - 1)
 
 
 def _set(text: str, height: float, room: tuple[float, float], count: int, between: str) -> Setting:
-    high = min(height, room[1] / (LEADING * count + _CLEAR * (count - 1)))
-    lines = tuple(wrapped(text, high, room[0], count, between)) or ("",)
-    squeeze = min(room[0] / max(text_width(one, high), room[0]) for one in lines)
-    # Smaller rather than narrower letters: not every program can draw those.
-    high = max(min(_READ_HEIGHT, high), high * squeeze)
-    squeeze = min(room[0] / max(text_width(one, high), room[0]) for one in lines)
-    if squeeze < NARROWEST:
-        high = max(min(_LEAST_HEIGHT, high), high * squeeze / NARROWEST)
-    return Setting(lines, high)
+    lines = tuple(wrapped(text, height, room[0], count, between)) or ("",)
+    return _setting(lines, height, room[0])
 
 
-def _squeeze(one: Setting, width: float) -> float:
-    return min(1.0, width / max(text_width(line, one.height) or width for line in one.lines))
+def _setting(lines: tuple[str, ...], height: float, width: float) -> Setting:
+    widest = max(text_width(one, height) for one in lines)
+    return Setting(lines, height, width / max(widest, width))
 
 
 def wrapped(text: str, height: float, widest: float, most: int, between: str = " ") -> list[str]:
