@@ -71,7 +71,7 @@ _ROW = 8.0
 _LINE = 6.0
 _INDENT = 3.0  # of characteristics, from the frame
 # Of the parts list: position, title, number, material, sizes.
-_COLUMNS = (10.0, 61.0, 10.0, 23.0, 81.0)
+_COLUMNS = (10.0, 61.0, 10.0, 26.0, 78.0)
 _SIZES = len(_COLUMNS) - 1
 _CORNER = (70.0, 14.0)  # field 26: the designation again, upside down, in the upper left corner
 _ABOVE_LIST = 4.0
