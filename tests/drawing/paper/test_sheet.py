@@ -80,6 +80,21 @@ def test_the_name_of_who_drew_it_stands_in_one_line_of_letters_of_the_standard(n
     assert not [text for text in texts if text in name.split()[1:]]
 
 
+@pytest.mark.parametrize(
+    ("language", "name"),
+    [
+        ("en", "A3"),
+        ("ru", "\N{CYRILLIC CAPITAL LETTER A}3"),
+        ("uk", "\N{CYRILLIC CAPITAL LETTER A}3"),
+    ],
+)
+def test_the_format_is_named_in_letters_that_its_reader_types(language: str, name: str) -> None:
+    """GOST 2.301 names it so; who searches a Russian document for it types Cyrillic letters."""
+    made = new_document(language)
+    draw_sheet(made.modelspace(), A3, TitleBlock("", "", "", ""), "1:1", Words(language))
+    assert [text for text in map(read_text, made.query("TEXT")) if text.split()[1:] == [name]]
+
+
 def point_of(one: "Text") -> Point:
     at = one.dxf.get("align_point", one.dxf.insert)
     return at.x, at.y

@@ -26,9 +26,9 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class Format:
-    """A sheet: its name and size."""
+    """A sheet: its name, in letters of the reader's language, and its size."""
 
-    name: str
+    name: Message
     width: float
     height: float
 
@@ -38,12 +38,12 @@ class Format:
         return Box(20.0, 5.0, self.width - 5.0, self.height - 5.0)
 
 
-A4 = Format("A4", 210.0, 297.0)
-A3 = Format("A3", 420.0, 297.0)
-A2 = Format("A2", 594.0, 420.0)
-A3_UPRIGHT = Format("A3", A3.height, A3.width)
-A2_UPRIGHT = Format("A2", A2.height, A2.width)
-A4_BY_3 = Format("A4×3", 630.0, 297.0)  # an additional format: what is long fills it
+A4 = Format(message("A4"), 210.0, 297.0)
+A3 = Format(message("A3"), 420.0, 297.0)
+A2 = Format(message("A2"), 594.0, 420.0)
+A3_UPRIGHT = Format(A3.name, A3.height, A3.width)
+A2_UPRIGHT = Format(A2.name, A2.height, A2.width)
+A4_BY_3 = Format(message("A4×3"), 630.0, 297.0)  # an additional format: what is long fills it
 # From the smallest to the largest, each in the directions that the title block allows (GOST 2.301).
 FORMATS = ((A4,), (A3, A3_UPRIGHT), (A4_BY_3,), (A2, A2_UPRIGHT))
 
