@@ -6,7 +6,15 @@ from typing import TYPE_CHECKING
 
 from gripcourse.drawing.paper.document import LineKind
 from gripcourse.drawing.paper.strokes import Box
-from gripcourse.drawing.paper.text import LEADING, Point, add_text, set_in, squeeze_of, text_width
+from gripcourse.drawing.paper.text import (
+    LEADING,
+    Point,
+    Setting,
+    add_text,
+    set_in,
+    squeeze_of,
+    text_width,
+)
 
 if TYPE_CHECKING:
     from ezdxf.layouts.layout import Modelspace
@@ -19,6 +27,7 @@ _SUBSCRIPT = re.compile(r"([^\s_]+)_(\w+)")
 _SIZE = re.compile(r".+?(?:;\s+|$)")
 _RUNS = 3  # before the letter, the letter, what stands under it
 _RAISED = 0.1  # for each further line in a cell: letters reach below their line
+_OFF_LINES = 0.3  # mm that is free between letters and the lines of a cell
 _SMALLER, _DROP = 0.7, 0.4  # a subscript, in heights of the letters that it stands beside
 
 
@@ -63,7 +72,7 @@ class Cells:
         room = (size[0] - 2 * PAD, size[1])
         x = corner[0] + (size[0] / 2 if middle else PAD)
         found = set_in(text, height, room, most)
-        pitch = found.height * LEADING
+        pitch = _pitch(found, size[1])
         raised = (pitch / 2 + _RAISED * found.height) * (len(found.lines) - 1)
         top = corner[1] + size[1] / 2 + raised
         for number, line in enumerate(found.lines):
@@ -80,7 +89,7 @@ class Cells:
         """Write sizes into a cell from its left side, a subscript behind `_`: `d_ш = 5; b = 3`."""
         room = (size[0] - 2 * PAD, size[1])
         found = set_in(text.replace("_", ""), height, room, most, between="; ")
-        pitch = found.height * LEADING
+        pitch = _pitch(found, size[1])
         raised = (pitch / 2 + _RAISED * found.height) * (len(found.lines) - 1)
         level = corner[1] + size[1] / 2 + raised
         written = iter(text.split())
@@ -112,6 +121,11 @@ class Cells:
 
     def _place(self, point: Point) -> Point:
         return self.left + point[0], self.bottom + point[1]
+
+
+def _pitch(found: Setting, room: float) -> float:
+    """Return from one line to the next: in a low row they stand closer than to its lines."""
+    return min(found.height * LEADING, (room - 2 * _OFF_LINES) / len(found.lines))
 
 
 def _width(size: str, height: float) -> float:
