@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
     from conftest import Draw
 
-LEAST = 1.8  # mm, letters of GOST 2.304
+LEAST = 2.5  # mm, letters of GOST 2.304 that a title block is read by
 SVG = "{http://www.w3.org/2000/svg}"
 
 
@@ -76,8 +76,23 @@ def test_the_name_of_who_drew_it_stands_in_one_line_of_letters_of_the_standard(n
     surname, *_ = name.split()
     texts = {read_text(one): one for one in made.modelspace().query("TEXT")}
     (written,) = (one for text, one in texts.items() if text.startswith(surname))
-    assert written.dxf.height > LEAST
+    assert written.dxf.height >= LEAST
     assert not [text for text in texts if text in name.split()[1:]]
+
+
+@pytest.mark.parametrize(
+    ("language", "name"),
+    [
+        ("en", "A3"),
+        ("ru", "\N{CYRILLIC CAPITAL LETTER A}3"),
+        ("uk", "\N{CYRILLIC CAPITAL LETTER A}3"),
+    ],
+)
+def test_the_format_is_named_in_letters_that_its_reader_types(language: str, name: str) -> None:
+    """GOST 2.301 names it so; who searches a Russian document for it types Cyrillic letters."""
+    made = new_document(language)
+    draw_sheet(made.modelspace(), A3, TitleBlock("", "", "", ""), "1:1", Words(language))
+    assert [text for text in map(read_text, made.query("TEXT")) if text.split()[1:] == [name]]
 
 
 def point_of(one: "Text") -> Point:

@@ -4,7 +4,7 @@ import pytest
 
 from gripcourse.drawing.paper.text import LEADING, set_in
 
-CELL = (21.0, 8.0)  # of the parts list's column of materials
+CELL = (21.0, 8.0)  # of a column of materials
 REACH_BELOW = 0.25  # of a letter's height, how far p and y reach below their line
 SMALL = 2.5  # mm, the height next to 3.5 (GOST 2.304)
 
@@ -16,16 +16,37 @@ def test_two_lines_are_better_than_one_in_tiny_letters(material: str) -> None:
     assert found.height >= SMALL
 
 
-def test_what_fits_into_one_line_of_smaller_letters_stays_in_one() -> None:
-    found = set_in("По расчёту", 3.5, CELL, most=2)
-    assert found.lines == ("По расчёту",)
-    assert SMALL < found.height < 3.5
+def test_what_fits_into_one_line_of_somewhat_narrower_letters_stays_in_one() -> None:
+    found = set_in("По расчёту", 3.5, (22.0, 8.0), most=2)
+    assert (found.lines, found.height) == (("По расчёту",), 3.5)
+    assert found.squeeze > 0.8
+
+
+@pytest.mark.parametrize("name", ["Шевченко О. К.", "Константинопольская", "RTK-41, 2 year"])
+def test_letters_of_a_low_row_are_narrowed_rather_than_made_smaller(name: str) -> None:
+    """Beneath 2.5 mm the letters of a title block are hard to read: its low rows hold one line."""
+    found = set_in(name, SMALL, (21.0, 5.0), most=2)
+    assert (found.lines, found.height) == ((name,), SMALL)
+    assert found.squeeze >= 0.55
+
+
+def test_a_name_that_one_line_cannot_hold_is_not_cut() -> None:
+    found = set_in("Константинопольский-Черноризский Ю. А.", SMALL, (21.0, 5.0), most=2)
+    assert found.lines == ("Константинопольский-", "Черноризский Ю. А.")
+    assert found.squeeze > 0.85
+
+
+def test_a_date_that_a_narrow_cell_cannot_hold_is_written_in_smaller_letters() -> None:
+    found = set_in("24.11.2026", SMALL, (8.0, 5.0), most=1)
+    assert found.lines == ("24.11.2026",)
+    assert found.height < SMALL
+    assert found.squeeze == pytest.approx(0.55)
 
 
 @pytest.mark.parametrize(
     ("words", "room", "lines"),
     [
-        ("Проєктування захватного пристрою промислового робота", (48.0, 15.0), 3),
+        ("Проєктування захватного пристрою маніпуляційного промислового робота", (48.0, 15.0), 3),
         ("Сталь 40Х поліпш.", CELL, 2),
     ],
 )

@@ -27,13 +27,13 @@ def square(half: float, detail: float = 10.0) -> Arranged:
 
 def test_what_fills_a_sheet_gets_no_larger_one() -> None:
     found = square(120)
-    assert (found.sheet.name, found.scale) == ("A3", (1, 1))
+    assert (str(found.sheet.name), found.scale) == ("A3", (1, 1))
     assert found.filled > HALF
 
 
 def test_what_would_leave_most_of_a_small_sheet_empty_gets_a_larger_one() -> None:
     found = square(180)
-    assert (found.sheet.name, found.scale) == ("A2", (1, 1))
+    assert (str(found.sheet.name), found.scale) == ("A2", (1, 1))
     assert found.filled > HALF
 
 

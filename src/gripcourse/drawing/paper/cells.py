@@ -6,7 +6,15 @@ from typing import TYPE_CHECKING
 
 from gripcourse.drawing.paper.document import LineKind
 from gripcourse.drawing.paper.strokes import Box
-from gripcourse.drawing.paper.text import LEADING, Point, add_text, set_in, text_width
+from gripcourse.drawing.paper.text import (
+    LEADING,
+    Point,
+    Setting,
+    add_text,
+    set_in,
+    squeeze_of,
+    text_width,
+)
 
 if TYPE_CHECKING:
     from ezdxf.layouts.layout import Modelspace
@@ -16,8 +24,10 @@ SMALL, NORMAL, LARGE = 2.5, 3.5, 5.0  # heights of letters
 # A letter stands by itself before its subscript: where a program draws signs closer together than
 # they are wide, as some do `7,`, it stays beside what stands under it.
 _SUBSCRIPT = re.compile(r"([^\s_]+)_(\w+)")
+_SIZE = re.compile(r".+?(?:;\s+|$)")
 _RUNS = 3  # before the letter, the letter, what stands under it
 _RAISED = 0.1  # for each further line in a cell: letters reach below their line
+_OFF_LINES = 0.3  # mm that is free between letters and the lines of a cell
 _SMALLER, _DROP = 0.7, 0.4  # a subscript, in heights of the letters that it stands beside
 
 
@@ -58,11 +68,11 @@ class Cells:
         middle: bool = False,
         most: int = 1,
     ) -> None:
-        """Write into a cell in so many lines at most, squeezed, then smaller, to fit."""
+        """Write into a cell in so many lines at most, squeezed or smaller to fit."""
         room = (size[0] - 2 * PAD, size[1])
         x = corner[0] + (size[0] / 2 if middle else PAD)
         found = set_in(text, height, room, most)
-        pitch = found.height * LEADING
+        pitch = _pitch(found, size[1])
         raised = (pitch / 2 + _RAISED * found.height) * (len(found.lines) - 1)
         top = corner[1] + size[1] / 2 + raised
         for number, line in enumerate(found.lines):
@@ -79,7 +89,7 @@ class Cells:
         """Write sizes into a cell from its left side, a subscript behind `_`: `d_ш = 5; b = 3`."""
         room = (size[0] - 2 * PAD, size[1])
         found = set_in(text.replace("_", ""), height, room, most, between="; ")
-        pitch = found.height * LEADING
+        pitch = _pitch(found, size[1])
         raised = (pitch / 2 + _RAISED * found.height) * (len(found.lines) - 1)
         level = corner[1] + size[1] / 2 + raised
         written = iter(text.split())
@@ -89,20 +99,42 @@ class Cells:
             level -= pitch
 
     def _symbols(self, line: str, at: Point, height: float, widest: float) -> None:
-        plain = line.replace("_", "")
-        squeeze = min(1.0, widest / max(text_width(plain, height), widest))
+        squeeze = squeeze_of(line.replace("_", ""), height, widest)
         x, y = at
-        for number, run in enumerate(_SUBSCRIPT.split(line)):
-            is_below = number % _RUNS == _RUNS - 1
+        # Each size stands in its place, however wide a program draws those before it.
+        for size in _SIZE.findall(line):
+            self._symbol(size, (x, y), height, squeeze)
+            x += _width(size, height) * squeeze
+
+    def _symbol(self, size: str, at: Point, height: float, squeeze: float) -> None:
+        x, y = at
+        for number, run in enumerate(_SUBSCRIPT.split(size)):
+            is_below = _is_below(number)
             high = height * _SMALLER if is_below else height
             low = y - (_DROP * height if is_below else 0.0)
             wide = text_width(run, high) * squeeze
             if run.strip():
                 before = wide - text_width(run.lstrip(), high) * squeeze
                 place = self._place((x + before, low))
-                rest = max(wide - before, height)
-                add_text(self.pen.layout, run, place, high, align="MIDDLE_LEFT", widest=rest)
+                add_text(self.pen.layout, run, place, high, align="MIDDLE_LEFT", squeeze=squeeze)
             x += wide
 
     def _place(self, point: Point) -> Point:
         return self.left + point[0], self.bottom + point[1]
+
+
+def _pitch(found: Setting, room: float) -> float:
+    """Return from one line to the next: in a low row they stand closer than to its lines."""
+    return min(found.height * LEADING, (room - 2 * _OFF_LINES) / len(found.lines))
+
+
+def _width(size: str, height: float) -> float:
+    """Return how wide a size is with what stands under its letters."""
+    return sum(
+        text_width(run, height * _SMALLER if _is_below(number) else height)
+        for number, run in enumerate(_SUBSCRIPT.split(size))
+    )
+
+
+def _is_below(number: int) -> bool:
+    return number % _RUNS == _RUNS - 1

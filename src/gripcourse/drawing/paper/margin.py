@@ -5,7 +5,7 @@ from collections.abc import Iterable
 from gripcourse.drawing.paper.cells import PAD, SMALL, Pen
 from gripcourse.drawing.paper.document import LineKind
 from gripcourse.drawing.paper.strokes import Box
-from gripcourse.drawing.paper.text import add_text, height_within
+from gripcourse.drawing.paper.text import add_text
 from gripcourse.text.words import Message, Words, message
 
 _HEADING, _ENTRY = 5.0, 7.0  # widths of the columns, mm
@@ -31,10 +31,7 @@ def draw_margin(pen: Pen, frame: Box, words: Words) -> None:
         middle = (left + _HEADING / 2, (bottom + top) / 2)
         room = top - bottom - 2 * PAD
         text = words.say(heading)
-        height = height_within(text, SMALL, room)
-        add_text(
-            pen.layout, text, middle, height, align="MIDDLE_CENTER", rotation=90.0, widest=room
-        )
+        add_text(pen.layout, text, middle, SMALL, align="MIDDLE_CENTER", rotation=90.0, widest=room)
     for low, high in (
         (frame.bottom, frame.bottom + sum(height for _, height in _LOWER)),
         (frame.top - sum(height for _, height in _UPPER), frame.top),

@@ -26,9 +26,9 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class Format:
-    """A sheet: its name and size."""
+    """A sheet: its name, in letters of the reader's language, and its size."""
 
-    name: str
+    name: Message
     width: float
     height: float
 
@@ -38,12 +38,12 @@ class Format:
         return Box(20.0, 5.0, self.width - 5.0, self.height - 5.0)
 
 
-A4 = Format("A4", 210.0, 297.0)
-A3 = Format("A3", 420.0, 297.0)
-A2 = Format("A2", 594.0, 420.0)
-A3_UPRIGHT = Format("A3", A3.height, A3.width)
-A2_UPRIGHT = Format("A2", A2.height, A2.width)
-A4_BY_3 = Format("A4×3", 630.0, 297.0)  # an additional format: what is long fills it
+A4 = Format(message("A4"), 210.0, 297.0)
+A3 = Format(message("A3"), 420.0, 297.0)
+A2 = Format(message("A2"), 594.0, 420.0)
+A3_UPRIGHT = Format(A3.name, A3.height, A3.width)
+A2_UPRIGHT = Format(A2.name, A2.height, A2.width)
+A4_BY_3 = Format(message("A4×3"), 630.0, 297.0)  # an additional format: what is long fills it
 # From the smallest to the largest, each in the directions that the title block allows (GOST 2.301).
 FORMATS = ((A4,), (A3, A3_UPRIGHT), (A4_BY_3,), (A2, A2_UPRIGHT))
 
@@ -71,7 +71,7 @@ _ROW = 8.0
 _LINE = 6.0
 _INDENT = 3.0  # of characteristics, from the frame
 # Of the parts list: position, title, number, material, sizes.
-_COLUMNS = (10.0, 61.0, 10.0, 23.0, 81.0)
+_COLUMNS = (10.0, 61.0, 10.0, 26.0, 78.0)
 _SIZES = len(_COLUMNS) - 1
 _CORNER = (70.0, 14.0)  # field 26: the designation again, upside down, in the upper left corner
 _ABOVE_LIST = 4.0

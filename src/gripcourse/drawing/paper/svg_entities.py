@@ -155,7 +155,11 @@ def _stroke(entity: DXFEntity, document: Drawing) -> Stroke:
 
 def _text(entity: Text) -> _Line:
     dxf = entity.dxf
+    squeeze = dxf.get("width", _FULL_SIZE)
     across, up = dxf.get("halign", 0), dxf.get("valign", 0)
+    if squeeze != _FULL_SIZE:
+        # Held where its base line begins: some programs do not squeeze the way back to there.
+        across, up = 0, 0
     at = dxf.align_point if (across or up) and dxf.hasattr("align_point") else dxf.insert
     middle = across == _MIDDLE or up == _MIDDLE_VERTICAL
     return _Line(
@@ -165,7 +169,7 @@ def _text(entity: Text) -> _Line:
         anchor=_ANCHORS[across],
         drop=0.5 if middle else 0.0,
         rotation=dxf.get("rotation", 0.0),
-        squeeze=dxf.get("width", _FULL_SIZE),
+        squeeze=squeeze,
     )
 
 

@@ -1,9 +1,10 @@
 """Letters on a drawing: one font, one line, any content."""
 
 import math
-from dataclasses import dataclass
+import re
+from dataclasses import dataclass, replace
 from functools import lru_cache
-from itertools import groupby
+from itertools import combinations, groupby, pairwise
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
@@ -22,25 +23,33 @@ CAP_HEIGHT = 0.711  # of the font's size: its letter A, by which text is measure
 # For what the first lacks: Greek letters, of the family that documents take them from.
 _SECOND_FILE = "LiberationSans-Regular.ttf"
 _SECOND_CAP_HEIGHT = 0.688
-NARROWEST = 0.5  # what a line may be squeezed to before it is cut
+_NARROWEST = 0.5  # what a line may be squeezed to before it is cut
+# Of a width, what a line may fill: letters of LibreCAD, as high as ours, are up to 8 % wider, and a
+# cell keeps a little free beside its words.
+_FILLED = 0.95
+_LEAST_HEIGHT = 1.0  # mm: smaller letters cannot be read
 
 LEADING = 1.45  # from one line to the next, in heights of capital letters
 _CLEAR = 0.2  # of lines above and below several of them, in these heights
-_WIDE = 0.9  # of their width and more: nobody sees that letters are squeezed
-_WELL = 0.7  # of their width, or of their height: 2.5 of 3.5 mm (GOST 2.304)
-_WIDE_ENOUGH = 0.6  # of their width: such letters are still read
-_READ_HEIGHT = 1.8  # mm, the smallest letters of GOST 2.304
-_LEAST_HEIGHT = 1.0  # mm: smaller letters cannot be read
+_HEIGHTS = (5.0, 3.5, 2.5)  # mm, of GOST 2.304; its 1.8 is too small to be read on a sheet
+_WIDE = 0.85  # of their width and more: nobody sees that letters are squeezed
+_WELL = 0.75  # of their width: seen, and read as well
+_WIDE_ENOUGH = 0.55  # of their width: such letters are still read
+_PIECES = re.compile(r"[^\s-]*(?:-+|\s+|$)")
 _CUT = "…"
 _END = "|"
 
 
 @dataclass(frozen=True, slots=True)
 class Setting:
-    """How a text is set: its lines, and the height of their capital letters, mm."""
+    """How a text is set: its lines, the height of their capital letters, mm, and their width.
+
+    `squeeze` is what the widest line is narrowed by; less than `_NARROWEST` where it is to be cut.
+    """
 
     lines: tuple[str, ...]
     height: float
+    squeeze: float
 
 
 def add_text(  # noqa: PLR0913 (a text is its place, size, direction and layer)
@@ -53,6 +62,7 @@ def add_text(  # noqa: PLR0913 (a text is its place, size, direction and layer)
     layer: str = "TEXT",
     rotation: float = 0.0,
     widest: float | None = None,
+    squeeze: float | None = None,
 ) -> "Text":
     r"""Write one line, whatever it contains: nothing of it is taken for a code.
 
@@ -67,18 +77,20 @@ def add_text(  # noqa: PLR0913 (a text is its place, size, direction and layer)
         rotation: degrees, counter-clockwise.
         widest: mm that the line may take; a longer one is squeezed, and cut where that is not
             enough.
+        squeeze: what letters are narrowed by, where that is known already.
     """
     from ezdxf.enums import TextEntityAlignment  # noqa: PLC0415 (0.3 s: only who draws pays for it)
 
-    line, squeeze = fitted(text, height, widest)
+    line, narrowed = fitted(text, height, widest)
+    narrowed = narrowed if squeeze is None else squeeze
     entity = layout.add_text(
         dxf_text(line),
         height=height,
         rotation=rotation,
-        dxfattribs={"style": TEXT_STYLE, "layer": layer, "width": squeeze},
+        dxfattribs={"style": TEXT_STYLE, "layer": layer, "width": narrowed},
     )
     entity.set_placement(at, align=TextEntityAlignment[align])
-    wide = text_width(line, height) * squeeze
+    wide = text_width(line, height) * narrowed
     entity.dxf.insert = _start(at, align, (wide, height), rotation)
     return entity
 
@@ -97,25 +109,29 @@ def _start(at: Point, align: str, size: Point, rotation: float) -> Point:
 def fitted(text: str, height: float, widest: float | None) -> tuple[str, float]:
     """Return the line that fits into a width, and the factor that its letters are narrowed by."""
     line = one_line(text)
-    width = text_width(line, height)
-    if widest is None or width <= widest:
+    if widest is None:
         return line, 1.0
-    if width * NARROWEST <= widest:
-        return line, widest / width
-    while line and text_width(line + _CUT, height) * NARROWEST > widest:
+    if (squeeze := squeeze_of(line, height, widest)) >= _NARROWEST:
+        return line, squeeze
+    while line and squeeze_of(line + _CUT, height, widest) < _NARROWEST:
         line = line[:-1]
-    return line.rstrip() + _CUT, NARROWEST
+    return line.rstrip() + _CUT, _NARROWEST
 
 
-def height_within(text: str, height: float, width: float) -> float:
-    """Return the height at which a line fits into a width, as far as it can still be read."""
-    return max(min(_READ_HEIGHT, height), height * min(1.0, width / text_width(text, height)))
+def squeeze_of(line: str, height: float, widest: float) -> float:
+    """Return the factor that the letters of a line are narrowed by to fit into a width."""
+    room = widest * _FILLED
+    return room / max(text_width(line, height), room)
 
 
 def set_in(
     text: str, height: float, room: tuple[float, float], most: int, between: str = " "
 ) -> Setting:
     """Choose lines and height: as few lines as need no squeezing, else as can be read well.
+
+    Letters are of the standard's heights, and of the smallest of them before they are squeezed: not
+    every program draws narrow letters. They become smaller than that only where there is no room
+    for more lines, and one would have to be squeezed so that it is hard to read.
 
     Args:
         text: the words.
@@ -124,29 +140,61 @@ def set_in(
         most: lines.
         between: where they may be broken.
     """
-    settings = [_set(text, height, room, count, between) for count in range(1, most + 1)]
-    widths = [one.height * _squeeze(one, room[0]) / height for one in settings]
-    for enough in (_WIDE, _WELL, _WIDE_ENOUGH, max(widths)):
-        for one, width in zip(settings, widths, strict=True):
-            if width >= enough:
+    heights = [one for one in _HEIGHTS if one <= height] or [height]
+    settings = [
+        [_set(text, high, room, count, between) for count in _counts(high, room, most)]
+        for high in heights
+    ]
+    smallest = settings[-1]
+    tries = [*((found, _WIDE) for found in settings), (smallest, _WELL), (smallest, _WIDE_ENOUGH)]
+    for found, least in tries:
+        for one in found:
+            if one.squeeze >= least:
                 return one
-    return settings[0]
+    tiny = [
+        _set(text, high, room, count, between)
+        if between.strip()
+        else _balanced(text, high, room[0], count)
+        for count in range(1, most + 1)
+        for high in [min(heights[-1], room[1] / _lines_high(count))]
+    ]
+    return max(map(_smaller, tiny), key=lambda one: one.height * one.squeeze)
+
+
+def _smaller(one: Setting) -> Setting:
+    """Return a setting in letters so small that they need not be narrower than can be read."""
+    height = max(min(_LEAST_HEIGHT, one.height), one.height * min(1.0, one.squeeze / _WIDE_ENOUGH))
+    return replace(one, height=height, squeeze=min(1.0, one.squeeze * one.height / height))
+
+
+def _balanced(text: str, height: float, width: float, count: int) -> Setting:
+    """Break a text between words, or behind a hyphen, so that its widest line is the narrowest."""
+    pieces = [one for one in _PIECES.findall(one_line(text)) if one]
+    places = range(1, len(pieces))
+    ways = combinations(places, min(count - 1, len(places)))
+    found = [
+        tuple("".join(pieces[low:high]).strip() for low, high in pairwise((0, *way, len(pieces))))
+        for way in ways
+    ]
+    return max((_setting(lines, height, width) for lines in found), key=lambda one: one.squeeze)
+
+
+def _counts(height: float, room: tuple[float, float], most: int) -> list[int]:
+    return [one for one in range(1, most + 1) if height * _lines_high(one) <= room[1]]
+
+
+def _lines_high(count: int) -> float:
+    """Return how high so many lines stand, in heights of capital letters."""
+    return LEADING * count + _CLEAR * (count - 1)
 
 
 def _set(text: str, height: float, room: tuple[float, float], count: int, between: str) -> Setting:
-    high = min(height, room[1] / (LEADING * count + _CLEAR * (count - 1)))
-    lines = tuple(wrapped(text, high, room[0], count, between)) or ("",)
-    squeeze = min(room[0] / max(text_width(one, high), room[0]) for one in lines)
-    # Smaller rather than narrower letters: not every program can draw those.
-    high = max(min(_READ_HEIGHT, high), high * squeeze)
-    squeeze = min(room[0] / max(text_width(one, high), room[0]) for one in lines)
-    if squeeze < NARROWEST:
-        high = max(min(_LEAST_HEIGHT, high), high * squeeze / NARROWEST)
-    return Setting(lines, high)
+    lines = tuple(wrapped(text, height, room[0], count, between)) or ("",)
+    return _setting(lines, height, room[0])
 
 
-def _squeeze(one: Setting, width: float) -> float:
-    return min(1.0, width / max(text_width(line, one.height) or width for line in one.lines))
+def _setting(lines: tuple[str, ...], height: float, width: float) -> Setting:
+    return Setting(lines, height, min(squeeze_of(one, height, width) for one in lines))
 
 
 def wrapped(text: str, height: float, widest: float, most: int, between: str = " ") -> list[str]:
@@ -162,7 +210,7 @@ def wrapped(text: str, height: float, widest: float, most: int, between: str = "
     lines: list[str] = []
     for word in filter(None, one_line(text).split(between)):
         longer = f"{lines[-1]}{between}{word}" if lines else word
-        if lines and (text_width(longer, height) <= widest or len(lines) == most):
+        if lines and (text_width(longer, height) <= widest * _FILLED or len(lines) == most):
             lines[-1] = longer
         else:
             lines[-1:] = [one + between.rstrip() for one in lines[-1:]]

@@ -130,9 +130,9 @@ def _draw_people(cell: Cells, block: TitleBlock, words: Words) -> None:
 
 
 def _written(name: str) -> str:
-    """Return a name, by surname and initials where two lines of it would be too small to read."""
+    """Return a name, by surname and initials where it would be too narrow to read in one line."""
     room = (_NAME[0] - 2 * PAD, _NAME[1])
-    return name if len(set_in(name, SMALL, room, 2).lines) == 1 else signed_name(name)
+    return name if set_in(name, SMALL, room, 1).height == SMALL else signed_name(name)
 
 
 def _draw_document(cell: Cells, block: TitleBlock, scale: str, words: Words) -> None:

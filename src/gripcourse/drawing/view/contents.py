@@ -22,6 +22,7 @@ from gripcourse.drawing.view.cut_faces import Cut, cut_faces
 from gripcourse.drawing.view.extension_lines import begun, reach
 from gripcourse.drawing.view.numbers import Numbers, numbers_at
 from gripcourse.drawing.view.placed_shapes import Shown, as_other, shown
+from gripcourse.drawing.view.seen_marks import seen_mark
 from gripcourse.errors import CourseError, Problem
 from gripcourse.solver.plan import Plan
 from gripcourse.text.units import factor
@@ -147,16 +148,18 @@ def figure(plan: Plan, view: View, solved: Mapping[str, float]) -> Figure:
         remedy = message("Correct what its shapes are drawn from.")
         raise CourseError([Problem(view.file, "part", what, remedy)])
     measured = [_begun(one, seen) for one in _measured(view, main, other, solved)]
+    extents = {
+        face: box_of(point for one in strokes for point in points_of(one.stroke))
+        for face, strokes in seen.items()
+        if strokes
+    }
+    size = max(extents[Face.MAIN].width, extents[Face.MAIN].height)
     return Figure(
         upright=view.upright,
         seen=seen,
-        extents={
-            face: box_of(point for one in strokes for point in points_of(one.stroke))
-            for face, strokes in seen.items()
-            if strokes
-        },
+        extents=extents,
         cuts={face: list(cut_faces(shapes, face)) for face in Face},
-        positions=sorted(_positions(drawn, main), key=lambda one: one.mark),
+        positions=sorted(_positions(drawn, main, size), key=lambda one: one.mark),
         measured=measured,
         labelled=list(_labelled(view, main)),
         overall=[*_overall(seen, measured), *_overall_there(ghosts, seen, measured)],
@@ -212,12 +215,15 @@ def _lost(stroke: Stroke, cover: Shown) -> Iterator[Stroke]:
 
 
 def _positions(
-    drawn: Sequence[tuple[ViewPart, Sequence[Shown]]], numbers: Numbers
+    drawn: Sequence[tuple[ViewPart, Sequence[Shown]]], numbers: Numbers, size: float
 ) -> Iterator[Position]:
-    for part, shapes in drawn:
+    for order, (part, shapes) in enumerate(drawn):
         mark = numbers.point(part.mark) if part.title is not None else None
         if mark is None or not shapes:
             continue
+        solid = replace(part, shapes=tuple(one for one in part.shapes if not one.void))
+        later = [one for _, found in drawn[order + 1 :] for one in found]
+        mark = seen_mark(mark, list(shown(solid, numbers)), later, size)
         count = numbers.number(part.count, "") if part.count is not None else None
         usual = 2 if part.mirrored else 1
         yield Position(part, usual if count is None else round(count), mark)
