@@ -46,7 +46,7 @@ def test_the_type_of_every_composition_can_be_drawn(course: Course) -> None:
     """Of the second course too: what an example's own option does not need has a default."""
     courses = (course, load_course(BELTS))
     faults = []
-    for of, scheme in ((of, scheme) for of in courses for scheme in of.schemes.values()):
+    for of, scheme in [(each, one) for each in courses for one in each.schemes.values()]:
         for options in pair_option_sets(scheme):
             plan = make_plan(of, scheme.id, options)
             assert scheme.diagram is not None
