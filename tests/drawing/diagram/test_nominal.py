@@ -2,7 +2,9 @@
 
 from dataclasses import replace
 from datetime import date
+from pathlib import Path
 
+from gripcourse.course.load import load_course
 from gripcourse.course.model import Course
 from gripcourse.course.option_sets import pair_option_sets
 from gripcourse.documents.assignment_sheet import sheet_values
@@ -15,6 +17,7 @@ from gripcourse.variants.model import Issued, Student, Variant
 from support.issued_table import issued_table
 
 ENGLISH = Words("en")
+BELTS = Path(__file__).parents[3] / "examples" / "belt_drive"
 
 
 def issued(variant: Variant) -> Issued:
@@ -40,10 +43,12 @@ def test_two_variants_of_one_composition_have_one_picture(policy: Policy, course
 
 
 def test_the_type_of_every_composition_can_be_drawn(course: Course) -> None:
+    """Of the second course too: what an example's own option does not need has a default."""
+    courses = (course, load_course(BELTS))
     faults = []
-    for scheme in course.schemes.values():
+    for of, scheme in [(each, one) for each in courses for one in each.schemes.values()]:
         for options in pair_option_sets(scheme):
-            plan = make_plan(course, scheme.id, options)
+            plan = make_plan(of, scheme.id, options)
             assert scheme.diagram is not None
             stops = stops_of(plan, scheme.diagram, nominal_values(plan))
             if not is_placed(stops.values()):

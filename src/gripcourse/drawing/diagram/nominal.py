@@ -7,7 +7,7 @@ same picture for every variant with the same options.
 
 from collections.abc import Mapping
 
-from gripcourse.solver.plan import Plan
+from gripcourse.solver.plan import Plan, usual_values
 
 
 def nominal_values(plan: Plan) -> Mapping[str, float]:
@@ -16,7 +16,5 @@ def nominal_values(plan: Plan) -> Mapping[str, float]:
     Args:
         plan: of the scheme with the variant's options; nothing else of the variant is known here.
     """
-    scheme = plan.scheme
-    declared = scheme.diagram.nominal if scheme.diagram is not None else {}
-    example = scheme.example.given if scheme.example is not None else {}
-    return {**example, **declared}
+    diagram = plan.scheme.diagram
+    return usual_values(plan) | dict(diagram.nominal if diagram is not None else {})
