@@ -47,14 +47,16 @@ def validate(
     language: LanguageOption = None,
 ) -> None:
     """Check a whole course and list all its problems at once."""
-    from gripcourse.usecases.authoring.validate import scheme_problems, validated
+    from gripcourse.cli.problems import said_of
+    from gripcourse.usecases.authoring.validate import scheme_notes, scheme_problems, validated
 
     words, root = words_for(language), course_folder(course)
     if scheme is not None:
         problems = scheme_problems(root, scheme)
+        notes = [] if problems else scheme_notes(root, scheme)
     else:
         found = validated(root, thorough=prove, processes=PROCESSORS)
-        problems = found.problems
+        problems, notes = found.problems, list(found.notes)
         if problems and not found.computed:
             late = message("What depends on the following is tried once it is mended:")
             typer.echo(words.say(late), err=True)
@@ -67,6 +69,10 @@ def validate(
             else message("The scheme {scheme} is valid.", scheme=scheme)
         )
     )
+    if notes:
+        confirm(words.say(message("Notes, though nothing is wrong:")))
+        for said in said_of(notes, words):
+            confirm(said)
     if prove:
         _prove(root, count, scheme, words)
 
