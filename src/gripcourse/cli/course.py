@@ -141,6 +141,34 @@ def init(
 
 
 @app.command(cls=SpokenCommand)
+def renew(
+    *,
+    apply: Annotated[
+        bool, typer.Option("--apply", help="Write it, with a copy of each file beside it.")
+    ] = False,
+    course: CourseOption = None,
+    language: LanguageOption = None,
+) -> None:
+    """Show what a course of an earlier version calls otherwise than today; write it if asked."""
+    from gripcourse.usecases.authoring.renew import renewals, write_renewals
+
+    words, root = words_for(language), course_folder(course)
+    found = renewals(root)
+    for file in found:
+        for one in file.renamings:
+            now = one.former.now or words.say(message("no longer needed"))
+            typer.echo(f"{file.file}: {one.was} → {now}")
+    if not found:
+        confirm(words.say(message("Nothing of the course is called otherwise now.")))
+    elif apply:
+        for path in write_renewals(root, found):
+            confirm(words.say(message("Kept as it was: {file}", file=str(path))))
+        confirm(words.say(message("What is left to do, `gripcourse validate` tells.")))
+    else:
+        confirm(words.say(message("Nothing was changed. With --apply it is.")))
+
+
+@app.command(cls=SpokenCommand)
 def doctor(language: LanguageOption = None) -> None:
     """Check this machine and say how to get what it lacks."""
     from gripcourse.machine.doctor import checks
