@@ -12,6 +12,8 @@ import pytest
 from gripcourse.access.desk.links import Refused
 from gripcourse.access.desk.store import open_desk
 from gripcourse.cli import main as cli
+from gripcourse.course.load import load_course
+from gripcourse.errors import CourseError
 from gripcourse.exports.grades import grades_text
 from gripcourse.issuing.signature import key_path, read_key
 from gripcourse.machine.content import NamedBytes
@@ -33,8 +35,11 @@ Run = Callable[..., str]
 
 @pytest.fixture
 def context(classroom: Classroom, policy: Policy) -> DeskContext:
-    """A course of which only the register was written."""
+    """A course of which only the register was written, and its id: no declarations."""
     course = classroom.course
+    main = course.root / "variants" / "course.toml"
+    main.parent.mkdir(exist_ok=True)
+    main.write_text(f'id = "{course.id}"', encoding="utf-8")
     nothing = Handout("", (), ())
     issue_order(course, policy, classroom.order, 0, lambda _: None, issue_one=lambda *_: nothing)
     desk = open_desk(home_of(course.root), course.id)
@@ -108,6 +113,24 @@ def test_a_link_to_sign_in_is_printed(run: Run, context: DeskContext) -> None:
     now = datetime.now(UTC)
     assert context.desk.begin_session(token, "session", now.replace(year=2099), now)
     assert context.desk.session_name("session", now) == "Ann"
+
+
+def test_a_course_amid_a_change_hinders_no_link_and_no_collecting(
+    run: Run, context: DeskContext, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """They need the register, its key and the course's id; `release` tells points of the course."""
+    monkeypatch.undo()
+    with pytest.raises(CourseError):
+        load_course(context.course.root)
+    at = ("--address", "https://course.example")
+    hand_in(context, context.register()["s01"], NamedBytes("a.xlsx", b"a"), NOW)
+    links, work = tmp_path / "links.csv", tmp_path / "work"
+    assert run("links", *at, "--out", str(links)).startswith("0")
+    assert run("links", "--revoke", "s01").startswith("0")
+    assert run("sign-in", *at).startswith("0")
+    assert run("handed-in", "--out", str(work)).startswith("0")
+    assert [one.name for one in work.iterdir()] == ["s01.xlsx"]
+    assert run("release", "--withdraw").startswith("2")
 
 
 def test_no_sign_in_is_offered_where_nobody_knows_the_address(run: Run) -> None:

@@ -6,6 +6,7 @@ from pathlib import Path
 from gripcourse.course.read import read_course
 from gripcourse.machine.resources import skeleton_root
 
+_BELTS = Path(__file__).parents[2] / "examples" / "belt_drive"
 _OIL = """
 id = "oil"
 title = "oil"
@@ -43,3 +44,14 @@ def test_two_choices_with_one_id_are_named(tmp_path: Path) -> None:
     (root / "variants" / "options" / "oil.toml").write_text(twice, encoding="utf-8")
     _, problems = read_course(root)
     assert "Two choices have the id 'thick'." in {str(one.what) for one in problems}
+
+
+def test_an_option_without_choices_is_all_that_is_said(tmp_path: Path) -> None:
+    root = Path(shutil.copytree(_BELTS, tmp_path / "course"))
+    file = root / "variants" / "options" / "tensioning.toml"
+    written = file.read_text(encoding="utf-8")
+    file.write_text(written[: written.index("[[choice]]")], encoding="utf-8")
+    _, problems = read_course(root)
+    assert [(one.file, one.key, str(one.what)) for one in problems] == [
+        ("variants/options/tensioning.toml", "choice", "The option has no choices.")
+    ]

@@ -20,6 +20,7 @@ from gripcourse.documents.assignment_sheet import SheetDatum, SheetItem
 
 EQUATIONS: Final = Path(__file__).parent / "paper"
 CATALOGUES: Final = Path(__file__).parents[2] / "variants" / "catalogues"
+BOOK: Final = Path(__file__).parent / "paper"  # tables of works that students have, as printed
 # What printed units are in SI.
 UNITS: Final = {
     "": 1.0, "mm": 1e-3, "m": 1.0, "µm": 1e-6, "um": 1e-6, "mm²": 1e-6, "mm**2": 1e-6, "m²": 1.0,
@@ -73,8 +74,10 @@ class Table:
 
 
 def read_table(name: str) -> Table:
-    """Read a table as the appendix prints it."""
-    lines = (CATALOGUES / f"{name}.csv").read_text(encoding="utf-8").splitlines()
+    """Read a table as the appendix prints it, or a work that students have."""
+    printed = (folder / f"{name}.csv" for folder in (CATALOGUES, BOOK))
+    path = next(one for one in printed if one.exists())
+    lines = path.read_text(encoding="utf-8").splitlines()
     header, *rows = csv.reader(one for one in lines if one and not one.startswith("#"))
     columns = {}
     for number, heading in enumerate(header):

@@ -59,21 +59,25 @@ def solution_result(solved: "SolvedVariant", words: Words) -> SolutionResult:
     )
 
 
-def problems_result(problems: Iterable[Problem], words: Words) -> ProblemsResult:
-    """Put problems into words."""
+def problems_result(
+    problems: Iterable[Problem], words: Words, notes: Iterable[Problem] = ()
+) -> ProblemsResult:
+    """Put problems and notes into words."""
     return ProblemsResult(
-        tuple(
-            ProblemResult(
-                file=one.file,
-                key=one.key if isinstance(one.key, str) else words.say(one.key),
-                what=words.say(one.what),
-                remedy=words.say(one.remedy),
-                excerpt=one.excerpt,
-                parameter=one.parameter,
-                step=one.step,
-            )
-            for one in problems
-        )
+        tuple(_problem_result(one, words) for one in problems),
+        tuple(_problem_result(one, words) for one in notes),
+    )
+
+
+def _problem_result(problem: Problem, words: Words) -> ProblemResult:
+    return ProblemResult(
+        file=problem.file,
+        key=problem.key if isinstance(problem.key, str) else words.say(problem.key),
+        what=words.say(problem.what),
+        remedy=words.say(problem.remedy),
+        excerpt=problem.excerpt,
+        parameter=problem.parameter,
+        step=problem.step,
     )
 
 

@@ -126,11 +126,14 @@ class ProblemsResult:
 
     Attributes:
         problems: none where the course is valid.
+        notes: what its author should know though nothing is wrong with it: what nothing uses, and
+            what nothing proves; none while there are problems.
     """
 
     SCHEMA: ClassVar[str] = "gripcourse/problems/1"
 
     problems: tuple[ProblemResult, ...]
+    notes: tuple[ProblemResult, ...] = ()
 
     @property
     def valid(self) -> bool:

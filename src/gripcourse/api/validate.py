@@ -23,7 +23,8 @@ def validate(folder: str | Path | None = None, language: str = "en") -> Problems
         UsageError: the folder is no course.
     """
     # The documents that are tried cost half a second to import.
-    from gripcourse.usecases.authoring.validate import all_problems  # noqa: PLC0415
+    from gripcourse.usecases.authoring.validate import validated  # noqa: PLC0415
 
     root = course_root(None if folder is None else path_of(folder))
-    return problems_result(all_problems(root), Words(chosen_language(language)))
+    found = validated(root)
+    return problems_result(found.problems, Words(chosen_language(language)), found.notes)

@@ -47,14 +47,16 @@ def validate(
     language: LanguageOption = None,
 ) -> None:
     """Check a whole course and list all its problems at once."""
-    from gripcourse.usecases.authoring.validate import scheme_problems, validated
+    from gripcourse.cli.problems import said_of
+    from gripcourse.usecases.authoring.validate import scheme_notes, scheme_problems, validated
 
     words, root = words_for(language), course_folder(course)
     if scheme is not None:
         problems = scheme_problems(root, scheme)
+        notes = [] if problems else scheme_notes(root, scheme)
     else:
         found = validated(root, thorough=prove, processes=PROCESSORS)
-        problems = found.problems
+        problems, notes = found.problems, list(found.notes)
         if problems and not found.computed:
             late = message("What depends on the following is tried once it is mended:")
             typer.echo(words.say(late), err=True)
@@ -67,6 +69,10 @@ def validate(
             else message("The scheme {scheme} is valid.", scheme=scheme)
         )
     )
+    if notes:
+        confirm(words.say(message("Notes, though nothing is wrong:")))
+        for said in said_of(notes, words):
+            confirm(said)
     if prove:
         _prove(root, count, scheme, words)
 
@@ -132,6 +138,34 @@ def init(
     else:
         init_course(folder, secrets.token_bytes(32), words, source, with_templates=templates)
     confirm(words.say(message("The course is in {folder}.", folder=str(folder))))
+
+
+@app.command(cls=SpokenCommand)
+def renew(
+    *,
+    apply: Annotated[
+        bool, typer.Option("--apply", help="Write it, with a copy of each file beside it.")
+    ] = False,
+    course: CourseOption = None,
+    language: LanguageOption = None,
+) -> None:
+    """Show what a course of an earlier version calls otherwise than today; write it if asked."""
+    from gripcourse.usecases.authoring.renew import renewals, write_renewals
+
+    words, root = words_for(language), course_folder(course)
+    found = renewals(root)
+    for file in found:
+        for one in file.renamings:
+            now = one.former.now or words.say(message("no longer needed"))
+            typer.echo(f"{file.file}: {one.was} → {now}")
+    if not found:
+        confirm(words.say(message("Nothing of the course is called otherwise now.")))
+    elif apply:
+        for path in write_renewals(root, found):
+            confirm(words.say(message("Kept as it was: {file}", file=str(path))))
+        confirm(words.say(message("What is left to do, `gripcourse validate` tells.")))
+    else:
+        confirm(words.say(message("Nothing was changed. With --apply it is.")))
 
 
 @app.command(cls=SpokenCommand)

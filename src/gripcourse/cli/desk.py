@@ -85,13 +85,13 @@ def sign_in(
     language: LanguageOption = None,  # noqa: ARG001 (every command takes it)
 ) -> None:
     """Print a link with which an instructor signs in at the desk, once."""
-    from gripcourse.usecases.serving.desk import open_context
+    from gripcourse.usecases.serving.desk import open_books
     from gripcourse.usecases.serving.links import address_of
     from gripcourse.usecases.serving.sign_in import offer_sign_in
 
-    context = open_context(course_folder(course))
-    base = address_of(context.course, address)  # before a token is made that nobody would see
-    token = offer_sign_in(context, by or getpass.getuser(), datetime.now(UTC))
+    books = open_books(course_folder(course))
+    base = address_of(books.address, address)  # before a token is made that nobody would see
+    token = offer_sign_in(books, by or getpass.getuser(), datetime.now(UTC))
     typer.echo(f"{base}/desk/sign-in/{token}")
 
 
@@ -112,19 +112,19 @@ def links(  # noqa: PLR0913 (one parameter per option)
     language: LanguageOption = None,
 ) -> None:
     """Write a personal link for every student; whoever has a link is that student."""
-    from gripcourse.usecases.serving.desk import open_context
+    from gripcourse.usecases.serving.desk import open_books
     from gripcourse.usecases.serving.links import make_links, revoke_links, write_links
 
     words, now = words_for(language), datetime.now(UTC)
-    context = open_context(course_folder(course))
+    books = open_books(course_folder(course))
     if revoke is not None:
-        revoke_links(context, revoke, by or getpass.getuser(), now)
+        revoke_links(books, revoke, by or getpass.getuser(), now)
         said = message("No link that {student} had opens anything any more.", student=revoke)
         confirm(words.say(said))
     if out is None and revoke is None:
         raise cli_text.misuse(message("Name the file with --out, or a student with --revoke."))
     if out is not None:
-        write_links(make_links(context, address, days, now), out)
+        write_links(make_links(books, address, days, now), out)
         confirm(str(out))
 
 
@@ -163,9 +163,9 @@ def handed_in(
     *, out: OutOption, course: CourseOption = None, language: LanguageOption = None
 ) -> None:
     """Write the last file of every student into a folder, to be graded."""
-    from gripcourse.usecases.serving.desk import open_context
+    from gripcourse.usecases.serving.desk import open_books
     from gripcourse.usecases.serving.hand_in import collect_hand_ins
 
-    written = collect_hand_ins(open_context(course_folder(course)), out)
+    written = collect_hand_ins(open_books(course_folder(course)), out)
     said = message("Files in {folder}: {count}.", folder=str(out), count=len(written))
     confirm(words_for(language).say(said))

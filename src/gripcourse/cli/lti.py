@@ -65,7 +65,7 @@ def card(
         from gripcourse.access.lti.usual import canvas_configuration, tool_addresses
 
     words, loaded = words_for(language), load_course(course_folder(course))
-    made = tool_addresses(address_of(loaded, address))
+    made = tool_addresses(address_of(loaded.address, address))
     if canvas:
         title = loaded.title.of(words.language)
         typer.echo(cli_text.json_text(canvas_configuration(title, made)))

@@ -143,7 +143,7 @@ def _element(table: Table) -> Element | None:
     if word is None:
         if kind:
             what = message("There is no element '{kind}'.", kind=kind)
-            table.add("kind", what, did_you_mean(kind, VOCABULARY))
+            table.unknown_word("kind", what, VOCABULARY)
         return None
     table.known_keys()
     of = {sort: {k: r for k, r in word.roles.items() if r.sort is sort} for sort in Sort}

@@ -1,8 +1,10 @@
 """The keys of `diagram.toml`: those of each element follow from the vocabulary."""
 
 from collections.abc import Mapping
+from dataclasses import replace
 from typing import Final
 
+from gripcourse.course import former
 from gripcourse.course.diagram_words import MIRRORS, VOCABULARY, Role, Sort
 from gripcourse.course.shape import Key, Shape, by_name, flag, number, other, strings, tables, text
 
@@ -73,7 +75,9 @@ def _key(kind: str, name: str, role: Role) -> Key:
 
 
 _COMMON: Final = {
-    "kind": text("Which symbol it is.", *VOCABULARY, required=True),
+    "kind": replace(
+        text("Which symbol it is.", *VOCABULARY, required=True), former=former.ELEMENT_KINDS
+    ),
     "positions": strings(
         "Of the drive, at which it is drawn; not written: those that the course shows."
     ),
@@ -89,6 +93,7 @@ ELEMENT: Final = Shape(
         kind: {name: _key(kind, name, role) for name, role in word.roles.items()}
         for kind, word in VOCABULARY.items()
     },
+    former_kinds=former.ELEMENTS,
 )
 SHARED_DIAGRAM: Final = Shape({"element": tables("The symbols, in order of drawing.", ELEMENT)})
 DIAGRAM: Final = Shape(

@@ -2,6 +2,7 @@
 
 from typing import Final
 
+from gripcourse.course import former
 from gripcourse.course.diagram_keys import DIAGRAM, SHARED_DIAGRAM
 from gripcourse.course.equations import EQUATIONS
 from gripcourse.course.kinematics import KINEMATICS, POSITION
@@ -167,7 +168,7 @@ EXAMPLE: Final = Shape(
             for convention in Convention
         },
     },
-    former={"guide": Convention.AS_PRINTED},
+    former=former.EXAMPLE,
 )
 PUBLISHED_CASES: Final = Shape(
     {
@@ -221,14 +222,14 @@ ATLAS: Final = Shape(
         ),
         "row": tables(
             "Rows of a table of cases.",
-            {
+            Shape({
                 "number": _NUMBER,
                 "title": texts("What is measured.", required=True),
                 "size": by_name("Formula of each size, by id.", text("A formula.", required=True),
                                 required=True),
                 "example": by_name("Values by name.", number("A value.", required=True),
                                    required=True),
-            },
+            }, former=former.ATLAS_ROW),
         ),
     }
 )  # fmt: skip

@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from enum import StrEnum
 from typing import Final
 
+from gripcourse.course import former
 from gripcourse.course.shape import Shape, by_name, number, other, table, text, texts
 from gripcourse.course.toml_table import Table
 from gripcourse.course.unit_words import unit_remedy
@@ -80,7 +81,8 @@ KINEMATICS: Final = Shape(
             number("A value.", required=True),
         ),
         "point": by_name("Joints, by name.", other("Names of two coordinates.", _PAIR)),
-    }
+    },
+    former=former.KINEMATICS,
 )
 
 

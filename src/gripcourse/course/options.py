@@ -26,7 +26,11 @@ def read_options(
 
 
 def scheme_options(table: Table, shared: Mapping[str, Option]) -> tuple[Option, ...] | None:
-    """Return the options of a scheme: shared ones by name, then its own; None if one is missing."""
+    """Return the options of a scheme: shared ones by name, then its own; None if one is missing.
+
+    One without choices is as good as missing: no variant could have it, and all that its parts
+    declare would be called unknown.
+    """
     named = table.strings("options")
     unknown = [name for name in named if name not in shared]
     for name in unknown:
@@ -36,7 +40,8 @@ def scheme_options(table: Table, shared: Mapping[str, Option]) -> tuple[Option, 
             did_you_mean(name, shared),
         )
     own = tuple(read_option(option) for option in table.tables("option"))
-    return None if unknown else (*(shared[name] for name in named), *own)
+    found = (*(shared[name] for name in named if name in shared), *own)
+    return found if not unknown and all(one.choices for one in found) else None
 
 
 def spare_options(
@@ -64,8 +69,12 @@ def read_option(table: Table) -> Option:
     """Read one option with its choices."""
     table.known_keys()
     choices = tuple(_choice(choice) for choice in table.tables("choice"))
-    if not choices:
-        table.add("choice", message("This key is missing."), message("Write the choices."))
+    if not choices and table.values.get("choice", []) == []:
+        table.add(
+            "choice",
+            message("The option has no choices."),
+            message("Write at least one [[choice]] with id and title."),
+        )
     ids = [choice.id for choice in choices]
     for name in dict.fromkeys(one for one in ids if one and ids.count(one) > 1):
         table.add(

@@ -1,6 +1,6 @@
 """Reading the files of a course: what cannot be read is a problem, and everything is looked at."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 
@@ -80,9 +80,22 @@ def course_id(root: Path) -> str:
     Raises:
         CourseError: its main file cannot be read, or has no id.
     """
+    return _of_main_file(root, lambda table: table.text("id"))
+
+
+def course_address(root: Path) -> str:
+    """Return the address of a course's page, whatever else of it is wrong; empty for none.
+
+    Raises:
+        CourseError: its main file cannot be read, or the address is no text.
+    """
+    return _of_main_file(root, lambda table: table.text("address", ""))
+
+
+def _of_main_file(root: Path, read: Callable[[Table], str]) -> str:
     problems: list[Problem] = []
     table = read_toml(root / VARIANTS / "course.toml", root, problems, COURSE)
-    found = "" if table is None else table.text("id")
+    found = "" if table is None else read(table)
     if problems:
         raise CourseError(problems)
     return found

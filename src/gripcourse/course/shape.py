@@ -37,6 +37,7 @@ class Key:
         words: a text is one of these; empty for any.
         low, high: a number lies between them.
         form: JSON Schema of what is written in a form of its own (OTHER).
+        former: words of earlier programs, by what is written for them now.
     """
 
     sort: KeySort
@@ -47,6 +48,20 @@ class Key:
     low: float = float("-inf")
     high: float = float("inf")
     form: Mapping[str, object] = field(default_factory=dict)
+    former: Mapping[str, str] = field(default_factory=dict)
+
+
+@dataclass(frozen=True, slots=True)
+class Former:
+    """What became of a key that an earlier program read.
+
+    Attributes:
+        now: where it stands now, seen from its table, with dots between; empty for what is gone.
+        adds: texts of other keys that must be said now, as the earlier program took them so.
+    """
+
+    now: str
+    adds: Mapping[str, str] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, slots=True)
@@ -58,15 +73,22 @@ class Shape:
         each: what any other name holds, where the author chooses the names; None for no others.
         by: the key whose text decides which further keys there are; empty for none.
         kinds: these keys by that text.
-        former: keys of earlier programs, by what they are called now; empty for what is gone. An
-            author of a course that is written for one is told so.
+        former: keys of earlier programs. An author of a course that is written for one is told so.
+        former_kinds: such keys of tables of one kind, by that text.
     """
 
     keys: Mapping[str, Key]
     each: Key | None = None
     by: str = ""
     kinds: Mapping[str, Mapping[str, Key]] = field(default_factory=dict)
-    former: Mapping[str, str] = field(default_factory=dict)
+    former: Mapping[str, Former] = field(default_factory=dict)
+    former_kinds: Mapping[str, Mapping[str, Former]] = field(default_factory=dict)
+
+    def former_key(self, name: str, values: Mapping[str, object]) -> Former | None:
+        """Return what became of a name in a table with these values; None where it never was."""
+        kind = values.get(self.by)
+        further = self.former_kinds.get(kind) if isinstance(kind, str) else None
+        return (further or {}).get(name) or self.former.get(name)
 
     def of(self, values: Mapping[str, object]) -> Mapping[str, Key]:
         """Return the keys that a table with these values may have, but for free names."""

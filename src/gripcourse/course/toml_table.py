@@ -54,12 +54,27 @@ class Table:
 
     def _unread(self, name: str, allowed: Iterable[str]) -> tuple[Message, Message]:
         """Say of a key that nobody reads what it was, or what may be meant."""
-        now = None if self.shape is None else self.shape.former.get(name)
-        if now is None:
+        former = None if self.shape is None else self.shape.former_key(name, self.values)
+        if former is None:
             return message("This key means nothing here."), did_you_mean(name, allowed)
         what = message("Earlier versions of the program read this key.")
-        renamed = message("It is called '{name}' now: rename it.", name=now)
-        return what, renamed if now else message("Remove it: nothing is needed in its place.")
+        if not former.now:
+            return what, message("Remove it: nothing is needed in its place.")
+        return what, message(
+            "It is called '{name}' now: rename it, or let `gripcourse renew` do it.",
+            name=former.now,
+        )
+
+    def unknown_word(self, name: str, what: Message, known: Iterable[str]) -> None:
+        """Record that a text is none of the words that it may be, and what may be meant."""
+        key, word = self._declared(name, KeySort.TEXT), self.values.get(name)
+        now = None if key is None else key.former.get(str(word))
+        remedy = did_you_mean(str(word), known)
+        if now is not None:
+            remedy = message(
+                "It is called '{name}' now: rename it, or let `gripcourse renew` do it.", name=now
+            )
+        self.add(name, what, remedy)
 
     def text(self, name: str, default: str | None = None) -> str:
         """Read a text; required where there is no default."""

@@ -3,6 +3,7 @@
 from collections.abc import Mapping
 from typing import Final
 
+from gripcourse.course import former
 from gripcourse.course.shape import (
     Key,
     Shape,
@@ -85,7 +86,7 @@ _PART: Final = Shape(
         "placed_at": text("The position whose coordinates place it in all of them."),
         "shape": tables("Its figures, the later over the earlier.", SHAPE),
     },
-    former={"density_per": ""},  # the mass takes the density of the part's material
+    former=former.VIEW_PART,
 )
 _DIMENSION: Final = Shape(
     {
@@ -158,5 +159,6 @@ VIEW: Final = Shape(
         "around": text("Formula: how many of what is mirrored stand round the axis; absent: two."),
         "characteristics": strings("Quantities that stand beside the drawing."),
         **SHARED_VIEW.keys,
-    }
+    },
+    former=former.VIEW,
 )

@@ -29,6 +29,7 @@ from gripcourse.simulation.mix import mix_path, read_mix
 from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.words import message
 from gripcourse.usecases.authoring.check_lists import list_problems
+from gripcourse.usecases.authoring.course_notes import course_notes, example_notes
 from gripcourse.usecases.authoring.judged_before import (
     FilesSeen,
     files_seen,
@@ -70,10 +71,12 @@ class Validation:
         problems: all that were found.
         computed: whether all its examples, variants and documents were tried: what depends on
             declarations or a policy that are wrong would only add noise.
+        notes: what an author should know though nothing is wrong with it; none while something is.
     """
 
     problems: list[Problem]
     computed: bool
+    notes: tuple[Problem, ...] = ()
 
 
 def all_problems(root: Path, *, thorough: bool = False) -> list[Problem]:
@@ -136,8 +139,15 @@ def _validated(root: Path, *, thorough: bool, is_alone: bool) -> Validation:
         problems += unless_sound("templates", [own, look], filled)
     computed = is_sound and fit is not None
     # A file that nobody reads may be what a problem misses, but spoils no number.
-    beside = [*unread_problems(root), *_machine_problems(root)]
-    return Validation([*problems, *beside], computed=computed)
+    problems += [*unread_problems(root), *_machine_problems(root)]
+    notes = () if problems else _notes(course, own)
+    return Validation(problems, computed=computed, notes=notes)
+
+
+def _notes(course: Course, own: FilesSeen) -> tuple[Problem, ...]:
+    """Return what is to be known of a sound course; found out once for the same files."""
+    found = found_before("notes", [own], partial(course_notes, course), lambda _: True)
+    return tuple(found)
 
 
 def _to_try_apart(
@@ -208,6 +218,17 @@ def scheme_problems(root: Path, scheme: str) -> list[Problem]:
         return problems
     problems += check_course(with_scheme(course, scheme), whole=course)
     return problems or _printed_problems(course, scheme)
+
+
+def scheme_notes(root: Path, scheme: str) -> list[Problem]:
+    """Return what is to be known of one scheme of a course; nothing while something is wrong.
+
+    Args:
+        root: of the course.
+        scheme: its id.
+    """
+    course = kept_course(root) or read_course(root)[0]
+    return [] if course is None else list(example_notes(course, [course.schemes[scheme]]))
 
 
 def with_scheme(course: Course, scheme: str) -> Course:

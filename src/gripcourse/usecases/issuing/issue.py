@@ -116,7 +116,7 @@ def issue_order(  # noqa: PLR0913 (the last two have usual values)
     """
     refuse_past(order.deadline, order.today)
     if order.link_days:
-        address_of(course)
+        address_of(course.address)
     before = read_register(course.root, course.id)
     roster = read_roster(
         order.roster, (entry.student for entry in before.entries), course.languages

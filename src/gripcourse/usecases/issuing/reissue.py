@@ -82,7 +82,7 @@ def reissue_order(  # noqa: PLR0913 (the last two have usual values)
     """
     refuse_past(order.deadline, order.today)
     if order.link_days:
-        address_of(course)
+        address_of(course.address)
     before = read_register(course.root, course.id)
     key = key_of(key_path(course.root), issued=bool(before.entries))
     if key is None:

@@ -3,11 +3,13 @@
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
+from typing import Protocol
 from zoneinfo import ZoneInfo
 
 from gripcourse.access.desk.store import Desk, open_desk
 from gripcourse.course.load import load_course
 from gripcourse.course.model import Course
+from gripcourse.course.read import course_address, course_id
 from gripcourse.issuing.signature import key_path, read_key
 from gripcourse.issuing.store import VerifiedRegister
 from gripcourse.machine.database.home import home_of
@@ -15,6 +17,62 @@ from gripcourse.policy.load import load_policy
 from gripcourse.policy.model import Policy
 from gripcourse.usecases.serving.deadlines import DeskDeadlines
 from gripcourse.variants.model import Issued
+
+
+class DeskBooks(Protocol):
+    """What links, signing in and the collecting of hand-ins need, and nothing of a calculation."""
+
+    @property
+    def course_id(self) -> str:
+        """The id of the course."""
+
+    @property
+    def address(self) -> str:
+        """Where the course says that it is found in the web; empty for nowhere."""
+
+    @property
+    def key(self) -> bytes:
+        """The key of the signatures; it is never shown, logged or sent anywhere."""
+
+    @property
+    def desk(self) -> Desk:
+        """Its part of the database."""
+
+    @property
+    def private(self) -> Path:
+        """The folder that nobody but the owner reads."""
+
+    def register(self) -> Mapping[str, Issued]:
+        """Return what was issued up to now, by student."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class KeptBooks:
+    """The books of a course whose declarations nobody looked at: they may be wrong meanwhile.
+
+    Attributes:
+        course_id, address, key, desk: see `DeskBooks`.
+        root: of the course.
+    """
+
+    course_id: str
+    address: str
+    key: bytes
+    desk: Desk
+    root: Path
+
+    def __repr__(self) -> str:
+        """Leave the key out: this may stand in a log."""
+        return f"KeptBooks({self.course_id})"
+
+    def register(self) -> Mapping[str, Issued]:
+        """Return what was issued up to now, by student."""
+        return VerifiedRegister(self.root, self.course_id, self.desk.engine).read().by_student()
+
+    @property
+    def private(self) -> Path:
+        """The folder that nobody but the owner reads."""
+        return self.root / "private"
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -52,6 +110,16 @@ class DeskContext:
         return self.issued.read().by_student()
 
     @property
+    def course_id(self) -> str:
+        """The id of the course."""
+        return self.course.id
+
+    @property
+    def address(self) -> str:
+        """Where the course says that it is found in the web; empty for nowhere."""
+        return self.course.address
+
+    @property
     def zone(self) -> ZoneInfo | None:
         """The zone in which deadlines are written; None where none is declared."""
         return None if self.policy.late is None else self.policy.late.time_zone
@@ -71,3 +139,14 @@ def open_context(root: Path) -> DeskContext:
     course = load_course(root)
     key = read_key(key_path(root))
     return DeskContext(course, load_policy(course), key, open_desk(home_of(root), course.id))
+
+
+def open_books(root: Path) -> KeptBooks:
+    """Open the desk of a course for what needs its register alone; its declarations may be wrong.
+
+    Raises:
+        GripcourseError: key or database cannot be used, or the main file cannot be read.
+    """
+    identifier, address = course_id(root), course_address(root)
+    key = read_key(key_path(root))
+    return KeptBooks(identifier, address, key, open_desk(home_of(root), identifier), root)

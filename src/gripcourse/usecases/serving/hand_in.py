@@ -16,7 +16,7 @@ from gripcourse.machine.files import make_private_folder, write_bytes
 from gripcourse.machine.spreadsheet.by_content import is_workbook
 from gripcourse.text.shown import shown
 from gripcourse.text.words import Message, message
-from gripcourse.usecases.serving.desk import DeskContext
+from gripcourse.usecases.serving.desk import DeskBooks, DeskContext
 from gripcourse.variants.model import Issued
 
 _MOST: Final = 200_000_000
@@ -115,12 +115,12 @@ def is_late(context: DeskContext, issued: Issued, at: datetime) -> bool:
     return deadline is not None and at.replace(microsecond=0) > deadline
 
 
-def kept_path(context: DeskContext, digest: str) -> Path:
+def kept_path(context: DeskBooks, digest: str) -> Path:
     """Return where bytes are kept: under what they are, never under what somebody calls them."""
     return context.private / "handed_in" / digest
 
 
-def latest(context: DeskContext, hand_ins: Iterable[HandIn]) -> dict[str, HandIn]:
+def latest(context: DeskBooks, hand_ins: Iterable[HandIn]) -> dict[str, HandIn]:
     """Return the last workbook of each student; drawings are looked at by persons.
 
     A photograph, a table of text or a drawing of another program takes no workbook's place: of
@@ -138,7 +138,7 @@ def latest(context: DeskContext, hand_ins: Iterable[HandIn]) -> dict[str, HandIn
     return found
 
 
-def _may_hold_answers(context: DeskContext, one: HandIn) -> bool:
+def _may_hold_answers(context: DeskBooks, one: HandIn) -> bool:
     """Tell by its first bytes whether a file may be a workbook, or an archive or text with one."""
     try:
         with kept_path(context, one.digest).open("rb") as stream:
@@ -153,7 +153,7 @@ def name_in_folder(one: HandIn) -> str:
     return f"{one.student}{suffix if suffix.isascii() else ''}"
 
 
-def collect_hand_ins(context: DeskContext, out: Path) -> Mapping[str, Path]:
+def collect_hand_ins(context: DeskBooks, out: Path) -> Mapping[str, Path]:
     """Write the last workbook of each student into a folder, called like the student, for grading.
 
     Returns:

@@ -6,12 +6,11 @@ from datetime import datetime, timedelta
 from pathlib import Path
 
 from gripcourse.access.desk.links import Refused, SignedLink, link_text, read_link, refusal_of
-from gripcourse.course.model import Course
 from gripcourse.errors import Problem, UsageError
 from gripcourse.exports.csv_text import table_text, text_cell
 from gripcourse.machine.files import write_bytes
 from gripcourse.text.words import message
-from gripcourse.usecases.serving.desk import DeskContext
+from gripcourse.usecases.serving.desk import DeskBooks
 from gripcourse.variants.model import Issued
 
 
@@ -25,7 +24,7 @@ class PersonalLink:
 
 
 def make_links(
-    context: DeskContext, address: str, days: int, now: datetime
+    context: DeskBooks, address: str, days: int, now: datetime
 ) -> tuple[PersonalLink, ...]:
     """Make a link for everybody who was issued something; older ones stay good until they end.
 
@@ -38,7 +37,7 @@ def make_links(
     Raises:
         UsageError: there is no address.
     """
-    base = address_of(context.course, address)
+    base = address_of(context.address, address)
     expires = (now + timedelta(days=days)).replace(microsecond=0)
     return tuple(
         PersonalLink(issued, f"{base}/s/{token_of(context, student, expires)}/", expires)
@@ -46,13 +45,17 @@ def make_links(
     )
 
 
-def address_of(course: Course, address: str = "") -> str:
+def address_of(declared: str, address: str = "") -> str:
     """Return where the server is found, as somebody says or the course declares.
+
+    Args:
+        declared: address that the course declares; empty for none.
+        address: as somebody says; empty for nobody.
 
     Raises:
         UsageError: neither says it.
     """
-    base = (address or course.address).rstrip("/")
+    base = (address or declared).rstrip("/")
     if not base:
         what = message("Nobody knows at which address the server is found.")
         remedy = message("Name it, or write `address` into the course.")
@@ -60,10 +63,10 @@ def address_of(course: Course, address: str = "") -> str:
     return base
 
 
-def token_of(context: DeskContext, student: str, expires: datetime) -> str:
+def token_of(context: DeskBooks, student: str, expires: datetime) -> str:
     """Make the part of an address by which a student is known."""
     link = SignedLink(student, expires, context.desk.revoked(student))
-    return link_text(link, context.key, context.course.id)
+    return link_text(link, context.key, context.course_id)
 
 
 def write_links(links: Iterable[PersonalLink], path: Path) -> None:
@@ -85,7 +88,7 @@ def write_links(links: Iterable[PersonalLink], path: Path) -> None:
     write_bytes(path, table_text(header, rows).encode("utf-8-sig"), private=True)
 
 
-def revoke_links(context: DeskContext, student: str, by: str, now: datetime) -> None:
+def revoke_links(context: DeskBooks, student: str, by: str, now: datetime) -> None:
     """Let no link that a student has open anything any more.
 
     Raises:
@@ -98,9 +101,9 @@ def revoke_links(context: DeskContext, student: str, by: str, now: datetime) -> 
     context.desk.revoke(student, by, now)
 
 
-def open_link(context: DeskContext, token: str, now: datetime) -> Issued | Refused:
+def open_link(context: DeskBooks, token: str, now: datetime) -> Issued | Refused:
     """Return whose link this is, with what was issued; or why it opens nothing."""
-    link = read_link(token, context.key, context.course.id)
+    link = read_link(token, context.key, context.course_id)
     revoked = 0 if link is None else context.desk.revoked(link.student)
     refused = refusal_of(link, revoked, now)
     if refused is not None or link is None:
@@ -108,10 +111,10 @@ def open_link(context: DeskContext, token: str, now: datetime) -> Issued | Refus
     return context.register().get(link.student, Refused.FORGED)
 
 
-def signed_for(context: DeskContext, token: str) -> Issued | None:
+def signed_for(context: DeskBooks, token: str) -> Issued | None:
     """Return for whom a link was signed, whether or not it opens anything any more.
 
     None for a link without our signature: whoever wrote it is told nothing of anybody.
     """
-    link = read_link(token, context.key, context.course.id)
+    link = read_link(token, context.key, context.course_id)
     return None if link is None else context.register().get(link.student)
