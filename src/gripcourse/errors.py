@@ -38,6 +38,7 @@ class NextStep(StrEnum):
     NAME_TABLE = "name_table"
     OVERRULE = "overrule"
     REGRADE = "regrade"
+    RENEW = "renew"
     SET_VALUES = "set_values"
     SIMULATE = "simulate"
 

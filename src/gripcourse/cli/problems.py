@@ -29,6 +29,7 @@ TYPED: Final[Mapping[NextStep, str]] = {
     NextStep.NAME_TABLE: "--table",
     NextStep.OVERRULE: "--override --comment",
     NextStep.REGRADE: "gripcourse regrade",
+    NextStep.RENEW: "gripcourse renew",
     NextStep.SET_VALUES: "--set name=value",
     NextStep.SIMULATE: "gripcourse simulate",
 }

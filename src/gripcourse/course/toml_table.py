@@ -9,6 +9,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
+from gripcourse.course.renaming import WAS_READ, renaming
 from gripcourse.course.shape import Key, KeySort, Shape
 from gripcourse.course.toml_faults import toml_values
 from gripcourse.errors import Problem
@@ -32,8 +33,10 @@ class Table:
 
     def add(self, name: str, what: Message, remedy: Message, excerpt: str = "") -> None:
         """Record a fault at a key of this table (the table itself where `name` is empty)."""
-        key = ".".join(part for part in (self.key, name) if part)
-        self.problems.append(Problem(self.file, key, what, remedy, excerpt))
+        self.problems.append(Problem(self.file, self._place(name), what, remedy, excerpt))
+
+    def _place(self, name: str) -> str:
+        return ".".join(part for part in (self.key, name) if part)
 
     def has(self, name: str) -> bool:
         """Tell whether the key is written."""
@@ -50,31 +53,24 @@ class Table:
         allowed = set(self.shape.of(self.values) if known is None and self.shape else known or ())
         for name in self.values:
             if name not in allowed:
-                self.add(name, *self._unread(name, allowed))
+                self._report_unread(name, allowed)
 
-    def _unread(self, name: str, allowed: Iterable[str]) -> tuple[Message, Message]:
+    def _report_unread(self, name: str, allowed: Iterable[str]) -> None:
         """Say of a key that nobody reads what it was, or what may be meant."""
         former = None if self.shape is None else self.shape.former_key(name, self.values)
         if former is None:
-            return message("This key means nothing here."), did_you_mean(name, allowed)
-        what = message("Earlier versions of the program read this key.")
-        if not former.now:
-            return what, message("Remove it: nothing is needed in its place.")
-        return what, message(
-            "It is called '{name}' now: rename it, or let `gripcourse renew` do it.",
-            name=former.now,
-        )
+            self.add(name, message("This key means nothing here."), did_you_mean(name, allowed))
+        else:
+            self.problems.append(renaming(self.file, self._place(name), WAS_READ, former.now))
 
     def unknown_word(self, name: str, what: Message, known: Iterable[str]) -> None:
         """Record that a text is none of the words that it may be, and what may be meant."""
         key, word = self._declared(name, KeySort.TEXT), self.values.get(name)
         now = None if key is None else key.former.get(str(word))
-        remedy = did_you_mean(str(word), known)
-        if now is not None:
-            remedy = message(
-                "It is called '{name}' now: rename it, or let `gripcourse renew` do it.", name=now
-            )
-        self.add(name, what, remedy)
+        if now is None:
+            self.add(name, what, did_you_mean(str(word), known))
+        else:
+            self.problems.append(renaming(self.file, self._place(name), what, now))
 
     def text(self, name: str, default: str | None = None) -> str:
         """Read a text; required where there is no default."""
