@@ -1,8 +1,8 @@
 """One wrong method in formulas that are alike: whoever thinks wrongly at both ends thinks so once.
 
 Positions, sides and directions are computed by one formula with other numbers. A factor left out of
-it, or a sign the wrong way round, is one mistake wherever it is written down. So is the wrong row of
-a table of which several columns are asked for.
+it, or a sign the wrong way round, is one mistake wherever it is written down. So is the wrong row
+of a table of which several columns are asked for.
 """
 
 from collections.abc import Mapping, Sequence
