@@ -130,3 +130,15 @@ def test_formulas_are_alike_that_compute_alike_with_other_quantities(one: str, o
 )
 def test_formulas_are_not_alike_that_compute_otherwise(one: str, other: str) -> None:
     assert form(parse(one)) != form(parse(other))
+
+
+class TestOneRowForSeveralColumns:
+    """Useful stress of a flat belt, k0 = s - w·δ/d: both stand in the row of the stress at rest."""
+
+    def test_the_wrong_row_costs_the_first_column_alone(self, flat_belt: "Case") -> None:
+        read = flat_belt.following(stress_straight=2.7, stress_bending=11.0)
+        assert flat_belt.lost(read) == {"stress_straight"}
+
+    def test_two_wrong_rows_cost_each_for_itself(self, flat_belt: "Case") -> None:
+        read = flat_belt.following(stress_straight=2.7, stress_bending=9.0)
+        assert flat_belt.lost(read) == {"stress_straight", "stress_bending"}

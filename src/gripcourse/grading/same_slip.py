@@ -1,14 +1,15 @@
 """One wrong method in formulas that are alike: whoever thinks wrongly at both ends thinks so once.
 
 Positions, sides and directions are computed by one formula with other numbers. A factor left out of
-it, or a sign the wrong way round, is one mistake wherever it is written down.
+it, or a sign the wrong way round, is one mistake wherever it is written down. So is the wrong row
+of a table of which several columns are asked for.
 """
 
 from collections.abc import Mapping, Sequence
 from typing import TypeAlias
 
 from gripcourse.course.quantity import Kind
-from gripcourse.formula.tree import form
+from gripcourse.formula.tree import Call, form
 from gripcourse.grading.explain import weigh
 from gripcourse.grading.submission_case import (
     GradingCase,
@@ -43,11 +44,15 @@ def same_slip_once(case: GradingCase, judged: Sequence[JudgedAnswer]) -> list[Ju
 
 
 def _alike(case: GradingCase, judged: JudgedAnswer) -> _Alike | None:
-    """Return what an answer has in common with those that are computed alike."""
-    formula = case.plan.reference_formula(judged.quantity.id)
-    if formula is None or judged.quantity.kind is not Kind.FORMULA:
+    """Return what an answer has in common with those that are computed or read alike."""
+    formula, kind = case.plan.reference_formula(judged.quantity.id), judged.quantity.kind
+    if formula is None:
         return None
-    return judged.quantity.unit, form(formula.tree)
+    match formula.tree:
+        case Call(_, arguments, str(column)) if kind is Kind.PICK:
+            return column.partition(".")[0], arguments  # the table, and what its row is found by
+        case tree:
+            return (judged.quantity.unit, form(tree)) if kind is Kind.FORMULA else None
 
 
 def _named(case: GradingCase, judged: JudgedAnswer) -> _Mistake | None:
