@@ -189,6 +189,7 @@ def test_results_are_told_from_publication_to_withdrawal_without_any_reference(
     assert (made["published"], made["by"], made["why"]) == (True, "Dr. Ноль", "term over")
     assert server.context.desk.publications()[-1].by == "Dr. Ноль"
     told = one.ask("GET", "/results").json()
+    assert told["earned"] == told["score"]  # nothing is taken off in this course
     assert {"quantity", "title", "points", "max_points"} == set(told["items"][0])
     path = "/desk/students/{student}"
     assert desk.ask("GET", "/desk/students/s01/results", f"{path}/results").json() == told
