@@ -98,6 +98,8 @@ class ViewShape:
         repeats: in rows and columns, or round a point.
         body: whether it is solid, where it has an inside; else it is only drawn.
         void: whether it is cut out of the solid shapes of its part at the same depth.
+        whole: whether a section leaves it whole, as teeth (GOST 2.402) or a shaft along its axis
+            (GOST 2.305): what of it no other shape of its part fills is not hatched.
         depth: from and to, from the plane of the main view, on both sides of it; empty for that of
             its part.
         key: where it is declared, for messages.
@@ -112,6 +114,7 @@ class ViewShape:
     repeats: tuple[Repeat | Ring, ...]
     body: bool
     void: bool
+    whole: bool
     depth: tuple[Expression, ...]
     key: str
 

@@ -57,6 +57,7 @@ SHAPE: Final = Shape(
         "repeat": tables("Again and again, in a row or round a point.", _REPEAT),
         "body": flag("Whether it is solid: absent is true for what has an inside."),
         "void": flag("Whether it is cut out of the solid shapes of its part at the same depth."),
+        "whole": flag("Whether a section leaves it whole: teeth, and a shaft along its axis."),
         "depth": _DEPTH,
     },
     by="kind",

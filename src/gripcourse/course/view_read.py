@@ -177,6 +177,7 @@ def _shape(table: Table, *, body: bool) -> ViewShape:
         repeats=tuple(_repeat(one) for one in table.tables("repeat")),
         body=table.flag("body", default=is_solid),
         void=table.flag("void"),
+        whole=table.flag("whole"),
         depth=_depth(table),
         key=table.key,
     )

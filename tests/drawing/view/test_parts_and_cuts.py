@@ -1,10 +1,14 @@
 """A general view says a size once, names the part that is seen, and cuts what nothing covers."""
 
+from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
+import pytest
 import shapely
 
 from gripcourse.course.view import Face, Side, ViewPart
+from gripcourse.drawing.paper.strokes import points_of
+from gripcourse.drawing.view.details import details_of
 from gripcourse.drawing.view.numbers import numbers_at
 from gripcourse.drawing.view.placed_shapes import Shown, shown
 from support.each import each
@@ -89,3 +93,24 @@ def test_what_is_cut_is_not_behind_another_part(draw: "Draw", any_variant: str) 
             for cut in hatched:
                 if own.buffer(NEAR).contains(cut) and own.intersects(cut):
                     assert cut.intersection(before).area <= NEAR
+
+
+def test_teeth_are_left_whole_in_a_section(draw: "Draw", smallest: Mapping[str, str]) -> None:
+    """GOST 2.402: between their tips and their roots a section of a wheel is not hatched."""
+    drawn = draw(smallest["pinion_racks"])
+    values = drawn.values
+    root = values["module"] * (values["gear_teeth"] / 2 - 1.25)
+    view = drawn.plan.scheme.view
+    assert view is not None
+    section = next(
+        one for one in details_of(drawn.view.figure, drawn.plan, view, values) if one.is_section
+    )
+    edges = {abs(point[1]) for seen in section.seen for point in points_of(seen.stroke)}
+    middle = [
+        y
+        for cut in section.cuts
+        for x, y in cut.rings[0]
+        if abs(x) < values["face_width"] / 2 + NEAR
+    ]
+    assert max(map(abs, middle)) == pytest.approx(root)
+    assert any(one == pytest.approx(root + 2.25 * values["module"]) for one in edges)

@@ -5,8 +5,8 @@ the main view, round the place. What lies all through in depth is turned about t
 """
 
 import math
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass, replace
 from itertools import pairwise
 
 import numpy as np
@@ -15,7 +15,7 @@ import shapely.affinity
 
 from gripcourse.course.view import HATCHES, View, ViewPart
 from gripcourse.drawing.paper.document import LineKind
-from gripcourse.drawing.paper.strokes import Box, Line, Stroke
+from gripcourse.drawing.paper.strokes import Box, Line, Stroke, points_of
 from gripcourse.drawing.paper.text import Point
 from gripcourse.drawing.view.bodies import Piece, Scene, pieces_of
 from gripcourse.drawing.view.contents import Seen
@@ -41,11 +41,12 @@ class CutThrough:
 
 @dataclass(frozen=True, slots=True)
 class _Slice:
-    """What is cut of one piece; a pin is cut along its axis and not hatched (GOST 2.305)."""
+    """What is cut of one piece; a pin is cut along its axis and left whole (GOST 2.305)."""
 
     part: str
     region: shapely.Geometry
     is_pin: bool
+    is_whole: bool
 
 
 def cut_through(view: View, scene: Scene, at: Point, reach: float) -> CutThrough:
@@ -60,17 +61,17 @@ def cut_through(view: View, scene: Scene, at: Point, reach: float) -> CutThrough
     window = shapely.box(-_FAR, -reach, _FAR, reach)
     slices = [one for part in view.parts for one in _slices(part, view, scene, at, reach)]
     left = [
-        _Slice(one.part, shapely.intersection(one.region, window), one.is_pin)
-        for one in _uncovered(slices)
+        replace(one, region=shapely.intersection(one.region, window)) for one in _uncovered(slices)
     ]
     left = [one for one in left if _is_shown(one, reach)]
     pins = [shapely.bounds(one.region) for one in left if one.is_pin]
-    hatches = dict(zip([one.part for one in left if not one.is_pin], _leanings(left), strict=True))
+    hatched = [one for one in left if not one.is_whole]
+    hatches = dict(zip([one.part for one in hatched], _leanings(hatched), strict=True))
     polygons = [(one, piece) for one in left for piece in _polygons(one.region)]
-    seen = [edge for _, piece in polygons for edge in _edges(piece, reach)]
+    seen = list(_once(edge for _, piece in polygons for edge in _edges(piece, reach)))
     if seen:
         seen += [Seen(one, LineKind.CENTRE) for one in _axes(polygons, reach, has_pin=bool(pins))]
-    cuts = [cut_of(piece, hatches[one.part]) for one, piece in polygons if not one.is_pin]
+    cuts = [cut_of(piece, hatches[one.part]) for one, piece in polygons if not one.is_whole]
     return CutThrough(seen, cuts, Box(*map(float, pins[0])) if pins else None)
 
 
@@ -78,6 +79,7 @@ def _slices(part: ViewPart, view: View, scene: Scene, at: Point, reach: float) -
     if part.positions and view.position not in part.positions:
         return
     unseen = {one.key for one in part.shapes if one.line == "phantom"}
+    whole = {one.key for one in part.shapes if one.whole}
     plane = shapely.LineString([(at[0], -_FAR), (at[0], _FAR)])
     for one in pieces_of(part, scene):
         left, bottom, right, top = (float(side) for side in one.box[:, 0])
@@ -88,7 +90,9 @@ def _slices(part: ViewPart, view: View, scene: Scene, at: Point, reach: float) -
         bands = [_band(one, *_span(line)) for line in shapely.get_parts(cut) if line.length > _NEAR]
         if bands:
             region = shapely.affinity.translate(shapely.union_all(bands), 0.0, -at[1])
-            yield _Slice(part.piece_of or part.id, region, one.kind == "pin")
+            is_pin = one.kind == "pin"
+            is_whole = is_pin or one.key in whole
+            yield _Slice(part.piece_of or part.id, region, is_pin, is_whole)
 
 
 def _span(line: shapely.Geometry) -> tuple[float, float]:
@@ -114,13 +118,15 @@ def _uncovered(slices: Sequence[_Slice]) -> Iterator[_Slice]:
     taken = pins
     found = []
     for name in reversed(names):
-        own = [one.region for one in slices if one.part == name and not one.is_pin]
-        whole = shapely.difference(shapely.union_all(own), taken)
-        taken = shapely.union(taken, whole)
-        found.append(_Slice(name, whole, is_pin=False))
+        own = [one for one in slices if one.part == name and not one.is_pin]
+        for is_whole in (False, True):  # what is cut takes precedence over what is left whole
+            region = shapely.union_all([one.region for one in own if one.is_whole is is_whole])
+            free = shapely.difference(region, taken)
+            taken = shapely.union(taken, free)
+            found.append(_Slice(name, free, is_pin=False, is_whole=is_whole))
     yield from reversed(found)
     for region in _polygons(pins):
-        yield _Slice("", region, is_pin=True)
+        yield _Slice("", region, is_pin=True, is_whole=True)
 
 
 def _is_shown(one: _Slice, reach: float) -> bool:
@@ -136,12 +142,21 @@ def _leanings(slices: Sequence[_Slice]) -> Iterator[str]:
     """Yield the leaning of each part's hatch: another one than that of the parts beside it."""
     known: list[tuple[shapely.Geometry, str]] = []
     for one in slices:
-        if not one.is_pin:
-            grown = shapely.buffer(one.region, _NEAR)
-            beside = [hatch for region, hatch in known if shapely.intersects(region, grown)]
-            hatch = min(_HATCHES, key=beside.count)
-            known.append((one.region, hatch))
-            yield hatch
+        grown = shapely.buffer(one.region, _NEAR)
+        beside = [hatch for region, hatch in known if shapely.intersects(region, grown)]
+        hatch = min(_HATCHES, key=beside.count)
+        known.append((one.region, hatch))
+        yield hatch
+
+
+def _once(edges: Iterable[Seen]) -> Iterator[Seen]:
+    """Yield edges, each once: what is left whole shares some with what is cut beside it."""
+    known = set()
+    for edge in edges:
+        ends = frozenset((round(x, 3), round(y, 3)) for x, y in points_of(edge.stroke))
+        if ends not in known:
+            known.add(ends)
+            yield edge
 
 
 def _polygons(region: shapely.Geometry) -> list[shapely.Polygon]:
