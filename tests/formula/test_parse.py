@@ -242,3 +242,9 @@ def test_a_formula_that_was_sent_away_knows_its_names_without_a_walk() -> None:
     # A state of one's own is forgotten by Python before 3.11.4: Debian 12 has such a one.
     make, parts = formula.__reduce__()
     assert make(*parts) == formula
+
+
+def test_a_function_is_told_by_the_name_that_books_give_it() -> None:
+    for name, meant in {"ln": "log", "tg": "tan", "arctg": "atan"}.items():
+        with pytest.raises(FormulaFault, match=f"did you mean {meant}"):
+            parse(f"{name}(force)")

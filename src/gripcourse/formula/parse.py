@@ -39,6 +39,9 @@ _DEEPEST_TREE: Final = 100
 
 _COLUMN: Final = re.compile(r"[A-Za-z_]\w*\.[A-Za-z_]\w*", re.ASCII)
 
+# What books call functions that are spelt quite otherwise here.
+_CALLED: Final = {"ln": "log", "tg": "tan", "arctg": "atan"}
+
 _BINARY: Final[Mapping[type[ast.operator], Operator]] = {
     ast.Add: "+",
     ast.Sub: "-",
@@ -217,6 +220,9 @@ def _call(name: ast.Name, arguments: list[ast.expr], line: str, span: Span) -> C
 
 
 def _unknown(name: str) -> Message:
+    if name in _CALLED:
+        meant = _CALLED[name]
+        return message("There is no function {name}; did you mean {close}?", name=name, close=meant)
     close = difflib.get_close_matches(name, FUNCTIONS, n=1)
     if not close:
         known = ", ".join(FUNCTIONS)
