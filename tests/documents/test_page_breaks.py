@@ -44,6 +44,16 @@ def test_what_a_table_is_about_stands_above_it(above: int) -> None:
     assert ("heading" in first) == ("about the table" in first) == ("row" in first)
 
 
+def test_a_table_of_one_row_does_not_wait_for_the_table_after_it() -> None:
+    one, two = (
+        f"<h2>{name}</h2><table><thead><tr><th>a</th></tr></thead><tbody>{rows}</tbody></table>"
+        for name, rows in (("one", "<tr><td>x</td></tr>"), ("two", "<tr><td>y</td></tr>" * 8))
+    )
+    first, second = page_texts(f'<div style="height: 230mm"></div>{one}{two}', COHORT)
+    assert "one" in first
+    assert "two" in second
+
+
 @pytest.mark.parametrize("above", [x / 4 for x in range(4 * HEIGHT - 80, 4 * HEIGHT - 50)])
 def test_what_was_noticed_at_length_goes_on_over_a_page_and_begins_beside_its_student(
     above: float,

@@ -86,6 +86,13 @@ def test_no_line_ends_between_a_number_and_its_unit(templates: Path) -> None:
     assert page == "off by 4\u00a0% at 5\u00a0мм, 20\u00a0kN·m and 3 ways"
 
 
+def test_no_line_ends_inside_the_name_of_a_standard(templates: Path) -> None:
+    (templates / "title.html.j2").write_text("{{ title | prose }}", encoding="utf-8")
+    title = "belts (ISO 5292), ГОСТ 1284.1, in 3 parts"
+    page = render_html(Document("title.html.j2", (), {"title": title}), templates, Words("en"))
+    assert page == "belts (ISO\u00a05292), ГОСТ\u00a01284.1, in 3 parts"
+
+
 @pytest.mark.parametrize(
     ("title", "together"),
     [

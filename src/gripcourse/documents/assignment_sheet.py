@@ -179,6 +179,11 @@ def _density(letters: int) -> str:
 def _fitted(diagram: SheetDiagram | None, density: str) -> SheetDiagram | None:
     if diagram is None or not diagram.beside or density != _PRINTS[-1]:
         return diagram
+    return smaller(diagram)
+
+
+def smaller(diagram: SheetDiagram) -> SheetDiagram:
+    """Return a diagram in the size that leaves room for much text on its page."""
     width, height = (round(_MUCH_SCALE * size, 2) for size in (diagram.width, diagram.height))
     return replace(diagram, width=width, height=height)
 

@@ -26,6 +26,9 @@ _SHORT: Final = re.compile(
     r"(?<!\S)(?=\S{3,30}(?!\S))\S*(?:\w[)\]]*/[(\[√]*(?:\d|[^\W\d_](?![^\W_])|[^\W\d_]{1,2}_)|\d–\d)\S*"
 )
 
+# `ISO 5292`, `ГОСТ Р 52543`: capitals and a number.
+_STANDARD: Final = re.compile(r"(?<=[^\W\d_a-zа-яёіїєґ]{2}) (?=\d)")
+
 
 def seen(value: object) -> object:
     """Keep what no page can show out of it; what was made of formulas is known to be whole."""
@@ -63,8 +66,9 @@ def _raised(escaped: str) -> str:
 
 
 def _kept_together(title: object) -> str:
-    """Let no line end between a number and its unit, nor at the minus of a formula."""
+    """Let no line end before a unit, at the minus of a formula, inside the name of a standard."""
     together = _before_a_unit().sub(NO_BREAK_SPACE, str(seen(title)))
+    together = _STANDARD.sub(NO_BREAK_SPACE, together)
     return together.replace(" − ", f"{NO_BREAK_SPACE}−{NO_BREAK_SPACE}")
 
 

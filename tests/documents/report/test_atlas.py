@@ -13,7 +13,13 @@ from gripcourse.course.atlas import Atlas, AtlasRow
 from gripcourse.course.check_atlas import load_atlas
 from gripcourse.course.load import load_course
 from gripcourse.course.model import Course
-from gripcourse.documents.report.atlas import atlas_pdf, case_values, curve_values, plates
+from gripcourse.documents.report.atlas import (
+    atlas_pdf,
+    atlas_values,
+    case_values,
+    curve_values,
+    plates,
+)
 from gripcourse.errors import CourseError
 from gripcourse.machine.resources import course_root
 from gripcourse.solver.plan import Plan, default_options, make_plan
@@ -166,3 +172,14 @@ def test_a_legend_shows_the_subscripts_of_its_symbols(atlas: Atlas, the_course: 
         for line in lines:
             assert "_" not in line
             assert re.search(r' — l<tspan dy="1.6"[^>]*>\d+</tspan><tspan dy="-1.6">', line), line
+
+
+def test_an_example_tells_every_number_that_its_formulas_take(
+    atlas: Atlas, the_course: Course
+) -> None:
+    cases = atlas_values(atlas, (), the_course, Words("en"))["cases"]
+    assert isinstance(cases, list)
+    fourth = {symbol: value.replace("\u00a0", " ") for symbol, value in cases[3].known}
+    assert fourth == {"a_E": "40 mm", "L_l": "100 mm", "α": "120°", "γ": "20°", "e": "5°"}
+    assert dict(cases[3].found)["w"] == "15°"
+    assert "L_l" not in dict(cases[0].known)

@@ -63,6 +63,12 @@ def test_a_long_title_is_cut() -> None:
     assert len(label) < 50
 
 
+def test_a_long_title_ends_after_a_word() -> None:
+    title = "diameter of the piston in the first approximation, by strength"
+    written = texts(facility_plot([Bar(title, 0.5, 0.4)], ENGLISH))
+    assert "diameter of the piston in the first…" in written
+
+
 def test_both_parts_of_a_facility_bar_are_named_beside_the_plot() -> None:
     written = texts(facility_plot([Bar("bore", 0.9, 0.4)], ENGLISH))
     assert {"by the reference", "carried forward"} <= set(written)

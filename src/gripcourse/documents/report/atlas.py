@@ -38,12 +38,18 @@ class Plate:
 
 @dataclass(frozen=True, slots=True)
 class AtlasCase:
-    """A row of the table: number, title, its formulas, and what they give for the example."""
+    """A row of the table: number, title, its formulas, and an example.
+
+    Attributes:
+        known: symbols of what the formulas take, as declared, and its values in the example.
+        found: the same of what they give.
+    """
 
     number: int
     title: str
     formulas: tuple[Box, ...]
-    example: str
+    known: tuple[tuple[str, str], ...]
+    found: tuple[tuple[str, str], ...]
 
 
 def plates(atlas: Atlas, course: Course, words: Words) -> tuple[Plate, ...]:
@@ -157,12 +163,22 @@ def _cases(atlas: Atlas, plan: Plan, words: Words) -> Iterator[AtlasCase]:
                 _equation(atlas.sizes[name].symbol, formula, atlas, plan, words)
                 for name, formula in row.sizes.items()
             ),
-            ", ".join(_sized(atlas.sizes[name], value, words) for name, value in values.items()),
+            tuple(_known(row, atlas, plan, words)),
+            tuple(_sized(atlas.sizes[name], value, words) for name, value in values.items()),
         )
 
 
-def _sized(size: AtlasSize, value: float, words: Words) -> str:
-    return f"{size.symbol} = {amount_text(value / factor(size.unit), size.unit, words)}"
+def _known(row: AtlasRow, atlas: Atlas, plan: Plan, words: Words) -> Iterator[tuple[str, str]]:
+    taken = {name for formula in row.sizes.values() for name in formula.names}
+    for name, value in row.example.items():
+        if name in taken:
+            own = atlas.inputs.get(name)
+            symbol = plan.quantities[name].symbol.of(words.language) if own is None else own.symbol
+            yield symbol, amount_text(value, _unit(name, atlas, plan), words)
+
+
+def _sized(size: AtlasSize, value: float, words: Words) -> tuple[str, str]:
+    return size.symbol, amount_text(value / factor(size.unit), size.unit, words)
 
 
 def _equation(symbol: str, formula: Formula, atlas: Atlas, plan: Plan, words: Words) -> Box:

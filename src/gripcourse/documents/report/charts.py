@@ -267,4 +267,8 @@ def _counted(bar: Bar) -> str:
 
 
 def _short(label: str) -> str:
-    return label if len(label) <= _LETTERS else f"{label[: _LETTERS - 1].rstrip()}…"
+    """End a long label after a word, or inside one that is longer than a label may be."""
+    if len(label) <= _LETTERS:
+        return label
+    kept = label[:_LETTERS].rpartition(" ")[0] or label[: _LETTERS - 1]
+    return f"{kept.rstrip(' ,;:(')}…"

@@ -6,7 +6,12 @@ from dataclasses import dataclass
 
 from gripcourse.course.model import Course
 from gripcourse.course.quantity import Quantity
-from gripcourse.documents.assignment_sheet import drawn_diagram, given_data, option_pairs
+from gripcourse.documents.assignment_sheet import (
+    drawn_diagram,
+    given_data,
+    option_pairs,
+    smaller,
+)
 from gripcourse.documents.pdf import Document, picture, render_pdf
 from gripcourse.documents.report.worked import entering_units, notation_notes, worked_line
 from gripcourse.drawing.paper.title_block import variant_block
@@ -18,6 +23,8 @@ from gripcourse.variants.model import Variant
 
 TEMPLATE = "solution.html.j2"
 STYLES = ("page.css", "formula.css", "solution.css")
+
+_MANY = 36  # given numbers, from which on the diagram leaves them its page
 
 
 @dataclass(frozen=True, slots=True)
@@ -59,13 +66,18 @@ def solution_values(
 ) -> dict[str, object]:
     """Return what the template needs; see `solution_pdf` for the arguments."""
     known = {name: value for name, value in values.items() if not math.isnan(value)}
+    diagram = drawn_diagram(plan, known, words)
+    data = given_data(plan.givens, known, words)
+    constants = given_data(plan.constants, known, words)
     return {
         "course": course.title.of(words.language),
         "variant": variant.id,
         "pairs": list(_pairs(plan, variant, words)),
-        "diagram": drawn_diagram(plan, known, words),
-        "data": given_data(plan.givens, known, words),
-        "constants": given_data(plan.constants, known, words),
+        "diagram": smaller(diagram)
+        if diagram is not None and len(data + constants) > _MANY
+        else diagram,
+        "data": data,
+        "constants": constants,
         "chapters": list(_chapters(plan, known, course, words)),
         "notes": notation_notes(plan, words),
         "works": [course.works[one].title.of(words.language) for one in _cited(plan, course)],
