@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 import pytest
 from starlette.routing import Route
+from starlette.testclient import TestClient
 from starlette.types import Message, Receive, Scope, Send
 
 from gripcourse.access.desk.links import SignedLink, link_text
@@ -136,6 +137,37 @@ def test_a_number_that_is_too_long_to_be_read_is_no_incident(server: "Server", p
     answer = server.client().get(f"{path}{'9' * 5000}")
     assert answer.status_code == 414
     assert answer.headers["cache-control"] == "no-store"
+
+
+@pytest.mark.parametrize("charset", ["undefined", "punycode", "unicode_escape", "utf-7", "utf-16"])
+def test_a_form_in_an_encoding_that_no_browser_sends_is_refused(
+    server: "Server", signed_in: TestClient, charset: str
+) -> None:
+    body = (
+        b'--edge\r\nContent-Disposition: form-data; name="file"; filename="\\ud800.xlsx"\r\n\r\n'
+        b'PK\r\n--edge\r\nContent-Disposition: form-data; name="form_key"\r\n\r\n\\ud800+2AA-\r\n'
+        b"--edge--\r\n"
+    )
+    kind = f"multipart/form-data; boundary=edge; charset={charset}"
+    told = {"Content-Type": kind}
+    sent = server.client().post(f"{server.home('s01')}hand-in", content=body, headers=told)
+    assert (
+        sent.status_code,
+        signed_in.post("/desk/sign-out", content=body, headers=told).status_code,
+    ) == (400, 400)
+    assert not server.context.desk.hand_ins("s01")
+
+
+def test_a_form_that_names_its_usual_encoding_is_read(server: "Server") -> None:
+    body = (
+        b'--e\r\nContent-Disposition: form-data; name="file"; filename="a.xlsx"'
+        b"\r\n\r\nPK\r\n--e--\r\n"
+    )
+    told = {"Content-Type": 'multipart/form-data; boundary=e; charset="UTF-8"'}
+    client = server.client()
+    assert (
+        client.post(f"{server.home('s01')}hand-in", content=body, headers=told).status_code == 200
+    )
 
 
 @pytest.mark.parametrize("below", ["", "/course"])
