@@ -209,3 +209,11 @@ def test_grouping_signs_and_units_never_change_the_number(
     typed = f"{minus}{grouped}{sign + decimals if decimals else ''}{unit}"
     expected = float(f"{'-' if minus else ''}{whole}.{decimals or '0'}")
     assert read(typed).value == expected
+
+
+@pytest.mark.parametrize(
+    "typed",
+    ["2pi", "2 пи", "3 pi/4", "2 пі", "1e3e3", "12e+", "12e-", "1 ООО", "12 OOO", "1 ооо Н"],
+)
+def test_what_multiplies_a_number_or_hides_its_digits_is_no_unit(typed: str) -> None:
+    assert reason(typed)

@@ -34,12 +34,14 @@ _PLAIN = str.maketrans(
 )
 _ABOUT = "≈≃≅~∼"
 _EXPONENT_LETTERS = "eEеЕ"  # Latin and Cyrillic
+_ENDS_OF_POWER = frozenset({"", "+", "-", *DIGITS})
 _TIMES = "*xXхХ"  # Latin and Cyrillic
 _SUPERSCRIPTS = "⁺⁻⁰¹²³⁴⁵⁶⁷⁸⁹"
 _FROM_SUPERSCRIPT = str.maketrans(_SUPERSCRIPTS, "+-" + DIGITS)
 _DEGREE_SIGNS = "°º˚"
 _LONGEST_SYMBOL = 20  # of `D_max = 12`
 _CALCULATED = "πΠ√∞½¼¾⅓"  # behind a number they multiply it or add to it
+_PI = frozenset({"pi", "пи", "пі"})
 
 _FORMULA = message(
     "A formula was typed into a cell that holds text. Set the cell's format to General and type "
@@ -222,7 +224,9 @@ def _unit(tail: str) -> str:
     unit = tail.strip(" ")
     if not unit:
         return ""
-    if unit in _EXPONENT_LETTERS:  # a power that was not typed to its end
+    if unit[0] in _EXPONENT_LETTERS and unit[1:2] in _ENDS_OF_POWER:  # not typed to its end, or two
+        raise NotANumber(SEVERAL)
+    if unit.split("/")[0].strip(" ").casefold() in _PI:
         raise NotANumber(SEVERAL)
     if not (unit[0].isalpha() or unit[0] in "%‰°℃º˚′″'\"\u00b5[(") or unit[0] in _CALCULATED:
         raise NotANumber(SEVERAL)

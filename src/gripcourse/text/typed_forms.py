@@ -50,6 +50,7 @@ _APOSTROPHES: Final = re.compile(r"[-+]?\d{1,3}(?:['’]\d{3})+(?:[.,]\d+)?(?![\
 # A letter O for a zero, an I or l for a one, a З for a three: inside digits, or at their end.
 _LETTERS: Final = re.compile(
     r"\d[.,]?(?:[oOоО]+(?:\d|$|[.,]\d|\s)|[lI|]+\d|[бЗзZSB]+(?:[.,]?\d)|[бЗзZS]+$)"
+    r"|\d\s[oOоО]{3}\b"  # a group of three
 )
 # Minutes and seconds without degrees, feet and inches: a mark says which only to who wrote it.
 _MARKED: Final = re.compile(r"""\d\s*(?:['"″′’ʹ]|'')$""")
