@@ -51,17 +51,16 @@ class Table:
         if known is None and (self.shape is None or self.shape.each is not None):
             return
         allowed = set(self.shape.of(self.values) if known is None and self.shape else known or ())
-        for name in self.values:
-            if name not in allowed:
-                self._report_unread(name, allowed)
+        for name in (one for one in self.values if one not in allowed):
+            self._report_unread(name, allowed)
 
     def _report_unread(self, name: str, allowed: Iterable[str]) -> None:
         """Say of a key that nobody reads what it was, or what may be meant."""
         former = None if self.shape is None else self.shape.former_key(name, self.values)
-        if former is None:
-            self.add(name, message("This key means nothing here."), did_you_mean(name, allowed))
-        else:
-            self.problems.append(renaming(self.file, self._place(name), WAS_READ, former.now))
+        if former is not None:
+            place = self._place(name)
+            return self.problems.append(renaming(self.file, place, WAS_READ, former.now))
+        return self.add(name, message("This key means nothing here."), did_you_mean(name, allowed))
 
     def unknown_word(self, name: str, what: Message, known: Iterable[str]) -> None:
         """Record that a text is none of the words that it may be, and what may be meant."""

@@ -102,7 +102,13 @@ FAULTS = {
         ("parts/behind.html.j2", "{{ cause.count }}", "{{ cause.cuont }}", "'cuont'", "name"),
     ),
     "of what is computed": (
-        ("parts/result.html.j2", "{{ score", "{{ 1 / 0 }}{{ score", "division by zero", "Correct"),
+        (
+            "parts/result.html.j2",
+            "{{ earned",
+            "{{ 1 / 0 }}{{ earned",
+            "division by zero",
+            "Correct",
+        ),
     ),
 }
 
