@@ -49,6 +49,7 @@ def test_a_slip_is_made_once_where_it_can_be_seen(who_all: WhoAll) -> None:
         assert slip.value is not None
         if quantity.kind is not Kind.CHOICE:
             width = band(quantity, slip.right, room.context.policy)
+            assert slip.value != slip.right
             assert abs(slip.value - slip.right) >= room.mix.apart * width
 
 

@@ -109,7 +109,8 @@ def effect(ground: Ground, name: str, done: Calculation) -> Effect:
         accepted = _is_accepted_size(ground, quantity, typed, done)
         return Effect.HIDDEN if accepted else Effect.APART
     near = any(
-        abs(typed - right) < ground.apart * band(quantity, right, ground.policy)
+        typed == right  # a band of 0 has no inside
+        or abs(typed - right) < ground.apart * band(quantity, right, ground.policy)
         for right in _right_values(ground, quantity, done)
         if math.isfinite(right)
     )
