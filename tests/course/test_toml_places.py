@@ -6,8 +6,7 @@ from pathlib import Path
 import pytest
 import tomli
 
-from gripcourse.course.toml_places import Path as Place
-from gripcourse.course.toml_places import key_places
+from gripcourse.course.toml_places import KeyPath, key_places
 
 BELTS = Path(__file__).parents[2] / "examples" / "belt_drive"
 ODD = '''
@@ -29,7 +28,7 @@ k = -1.5e3
 '''
 
 
-def parsed(value: object, place: Place = ()) -> Iterator[Place]:
+def parsed(value: object, place: KeyPath = ()) -> Iterator[KeyPath]:
     """Yield the path of everything that has a name."""
     items = value.items() if isinstance(value, dict) else ()
     for name, inside in items:

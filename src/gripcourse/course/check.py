@@ -231,12 +231,7 @@ def _check_used_parts(course: Course) -> Iterator[Problem]:
 def _check_columns(course: Course) -> Iterator[Problem]:
     """Yield the givens that two schemes declare in different units: tables have one column."""
     first: dict[str, Quantity] = {}
-    scopes = (
-        *(part.quantities for part in course.parts.values()),
-        *(scheme.quantities for scheme in course.schemes.values()),
-        *(own for scheme in course.schemes.values() for own in scheme.changed),
-    )
-    for one in (quantity for scope in scopes for quantity in scope.values()):
+    for one in course.declarations():
         if one.kind is not Kind.GIVEN or not known_unit(one.unit):
             continue
         other = first.setdefault(one.id, one)

@@ -41,7 +41,7 @@ def check_titles(course: Course) -> Iterator[Problem]:
     """Yield a problem for each catalogue or column that students need and that has no name."""
     read = {
         column
-        for quantity in _every_declaration(course)
+        for quantity in course.declarations()
         for column in columns_read(quantity, quantity.formula)
     }
     for catalogue in course.catalogues.values():
@@ -57,14 +57,6 @@ def check_titles(course: Course) -> Iterator[Problem]:
                 key = f"column.{name}"
                 what = message("Students need this column, but it has no heading to be printed.")
                 yield Problem(catalogue.file, key, what, _write(key))
-
-
-def _every_declaration(course: Course) -> Iterator[Quantity]:
-    for part in course.parts.values():
-        yield from part.quantities.values()
-    for scheme in course.schemes.values():
-        for own in (scheme.quantities, *scheme.changed):
-            yield from own.values()
 
 
 def _write(key: str) -> Message:

@@ -1,13 +1,11 @@
 """Series that nobody writes a catalogue of: the multiples that choices are rounded to."""
 
-from collections.abc import Iterator
 from dataclasses import replace
 
 import numpy as np
 
 from gripcourse.course.model import Catalogue, Course
 from gripcourse.course.multiples import Multiples
-from gripcourse.course.quantity import Quantity
 from gripcourse.text.units import known
 
 
@@ -15,7 +13,7 @@ def with_implied_series(course: Course) -> Course:
     """Return a course with a catalogue for all multiples that its choices are taken from."""
     implied = {
         one.choice.multiples.id: _catalogue(one.choice.multiples, one.file)
-        for one in _declared(course)
+        for one in course.declarations()
         if one.choice is not None and one.choice.multiples is not None and known(one.unit)
     }
     return replace(course, catalogues={**course.catalogues, **implied})
@@ -36,11 +34,3 @@ def _catalogue(one: Multiples, file: str) -> Catalogue:
         title=one.title,
         headings={},
     )
-
-
-def _declared(course: Course) -> Iterator[Quantity]:
-    for part in course.parts.values():
-        yield from part.quantities.values()
-    for scheme in course.schemes.values():
-        for own in (scheme.quantities, *scheme.changed):
-            yield from own.values()

@@ -3,7 +3,7 @@
 Values of quantities are kept in the declared unit (as people wrote them); the solver works in SI.
 """
 
-from collections.abc import Collection, Mapping
+from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -249,3 +249,11 @@ class Course:
     def conventions(self) -> tuple[Convention, ...]:
         """Those that differ in this course: without errata nothing is printed otherwise."""
         return tuple(Convention) if self.errata else (Convention.CORRECTED,)
+
+    def declarations(self) -> Iterator[Quantity]:
+        """Yield every declaration of parts and schemes; one id may be declared several times."""
+        for part in self.parts.values():
+            yield from part.quantities.values()
+        for scheme in self.schemes.values():
+            for own in (scheme.quantities, *scheme.changed):
+                yield from own.values()

@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Final, TypeAlias
 
-Path: TypeAlias = tuple[str | int, ...]
+KeyPath: TypeAlias = tuple[str | int, ...]
 Span: TypeAlias = tuple[int, int]
 
 _BARE: Final = re.compile(r"[A-Za-z0-9_-]+")
@@ -33,7 +33,7 @@ class KeyPlace:
         statement: of the line or lines that say nothing else; None inside of braces.
     """
 
-    path: Path
+    path: KeyPath
     span: Span
     value: Span | None
     statement: Span | None
@@ -50,10 +50,10 @@ class _Scanner:
     def __init__(self, text: str) -> None:
         self._text = text
         self._at = 0
-        self._last: dict[Path, int] = {}  # number of the last table of each array of tables
+        self._last: dict[KeyPath, int] = {}  # number of the last table of each array of tables
 
     def places(self) -> Iterator[KeyPlace]:
-        table: Path = ()
+        table: KeyPath = ()
         self._skip(_BLANK)
         while self._at < len(self._text):
             if self._text[self._at] == "[":
@@ -76,9 +76,9 @@ class _Scanner:
             self._last[path] = self._last.get(path, -1) + 1
         return names
 
-    def _names(self, table: Path) -> list[tuple[Path, Span]]:
+    def _names(self, table: KeyPath) -> list[tuple[KeyPath, Span]]:
         """Read names with dots between; what names an array of tables means the last of these."""
-        found: list[tuple[Path, Span]] = []
+        found: list[tuple[KeyPath, Span]] = []
         path = table
         while True:
             self._skip(_INLINE_BLANK)
@@ -94,7 +94,7 @@ class _Scanner:
             if path in self._last:
                 path = (*path, self._last[path])
 
-    def _assignment(self, table: Path, *, is_statement: bool) -> Iterator[KeyPlace]:
+    def _assignment(self, table: KeyPath, *, is_statement: bool) -> Iterator[KeyPlace]:
         begin = self._at
         names = self._names(table)
         self._at += 1  # the equals sign
@@ -108,7 +108,7 @@ class _Scanner:
         yield KeyPlace(path, span, value, statement)
         yield from inside
 
-    def _value(self, path: Path) -> list[KeyPlace]:
+    def _value(self, path: KeyPath) -> list[KeyPlace]:
         """Go through a value; return the names that stand inside of it."""
         found: list[KeyPlace] = []
         match self._text[self._at]:

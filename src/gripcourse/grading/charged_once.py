@@ -4,7 +4,12 @@ from collections.abc import Sequence
 
 from gripcourse.grading.judge_blank import coarse_in_blank
 from gripcourse.grading.shortened import shortened_in
-from gripcourse.grading.submission_case import GradingCase, JudgedAnswer, cost_already
+from gripcourse.grading.submission_case import (
+    GradingCase,
+    JudgedAnswer,
+    cost_already,
+    in_order_of_steps,
+)
 from gripcourse.text.words import message
 
 
@@ -18,10 +23,9 @@ def shortened_once(case: GradingCase, judged: Sequence[JudgedAnswer]) -> list[Ju
     Returns:
         The same in the same order.
     """
-    order = {name: rank for rank, name in enumerate(case.plan.quantities)}
     first: dict[tuple[str, float], str] = {}
     later: dict[str, JudgedAnswer] = {}
-    for one in sorted(judged, key=lambda each: order.get(each.quantity.id, 0)):
+    for one in in_order_of_steps(case, judged):
         constant = _constant(one)
         if constant is None:
             continue

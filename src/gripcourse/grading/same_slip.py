@@ -15,6 +15,7 @@ from gripcourse.grading.submission_case import (
     GradingCase,
     JudgedAnswer,
     cost_already,
+    in_order_of_steps,
     is_unexplained,
 )
 from gripcourse.slips.model import USED, SlipId
@@ -34,9 +35,8 @@ def same_slip_once(case: GradingCase, judged: Sequence[JudgedAnswer]) -> list[Ju
     Returns:
         The same in the same order.
     """
-    order = {name: rank for rank, name in enumerate(case.plan.quantities)}
     first: dict[_Mistake, str] = {}
-    for one in sorted(judged, key=lambda each: order.get(each.quantity.id, 0)):
+    for one in in_order_of_steps(case, judged):
         mistake = _named(case, one)
         if mistake is not None:
             first.setdefault(mistake, one.quantity.id)

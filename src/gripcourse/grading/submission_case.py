@@ -1,6 +1,6 @@
 """One submission on the judge's table: what its answers are compared with, one answer at a time."""
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from gripcourse.course.quantity import Kind, Quantity
@@ -136,6 +136,12 @@ def explain(
         else one
         for one in judged
     ]
+
+
+def in_order_of_steps(case: GradingCase, judged: Iterable[JudgedAnswer]) -> list[JudgedAnswer]:
+    """Return answers in the order in which they are computed: who pays first, pays."""
+    order = {name: rank for rank, name in enumerate(case.plan.quantities)}
+    return sorted(judged, key=lambda one: order.get(one.quantity.id, 0))
 
 
 def cost_already(case: GradingCase, judged: JudgedAnswer, root: str, said: Message) -> JudgedAnswer:

@@ -83,7 +83,7 @@ def example_notes(course: Course, schemes: Iterable[Scheme]) -> Iterator[Problem
 
 
 def _unused(course: Course, written: Collection[_Written]) -> Iterator[Problem]:
-    declared = tuple(_declared(course))
+    declared = tuple(course.declarations())
     yield from _unused_files(course, declared, written)
     yield from _unused_errata(course, declared)
     named = {word for one in written for word in _WORDS.findall(one.text)}
@@ -177,14 +177,6 @@ def _quantities_of(course: Course, scheme: Scheme) -> Iterator[str]:
     yield from scheme.quantities
     for part in all_part_ids(scheme):
         yield from course.parts[part].quantities
-
-
-def _declared(course: Course) -> Iterator[Quantity]:
-    for part in course.parts.values():
-        yield from part.quantities.values()
-    for scheme in course.schemes.values():
-        for own in (scheme.quantities, *scheme.changed):
-            yield from own.values()
 
 
 def _written_in(root: Path) -> Iterator[_Written]:

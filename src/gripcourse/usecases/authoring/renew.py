@@ -15,8 +15,7 @@ import tomli
 
 from gripcourse.course.shape import Former, KeySort, Shape
 from gripcourse.course.toml_faults import toml_values
-from gripcourse.course.toml_places import KeyPlace, key_places
-from gripcourse.course.toml_places import Path as Place
+from gripcourse.course.toml_places import KeyPath, KeyPlace, key_places
 from gripcourse.errors import CourseError, Problem
 from gripcourse.machine.files import write_together
 from gripcourse.usecases.authoring.schema import FILE_KINDS
@@ -34,7 +33,7 @@ class Renaming:
         is_word: whether it is the text that changes.
     """
 
-    place: Place
+    place: KeyPath
     former: Former
     is_word: bool
 
@@ -104,7 +103,7 @@ def _files(root: Path) -> Iterator[tuple[str, Shape]]:
                 yield path.relative_to(root).as_posix(), kind.shape
 
 
-def _renamings(shape: Shape, values: Mapping[str, object], place: Place) -> Iterator[Renaming]:
+def _renamings(shape: Shape, values: Mapping[str, object], place: KeyPath) -> Iterator[Renaming]:
     """Yield what is called otherwise in a table and in all that stand inside of it."""
     words = {
         name: now
@@ -145,7 +144,7 @@ def _renewed(
     file: str, text: str, values: Mapping[str, object], renamings: tuple[Renaming, ...]
 ) -> Renewal | None:
     """Write a file as it is called now; None where that cannot be done word by word."""
-    at: dict[Place, list[KeyPlace]] = {}
+    at: dict[KeyPath, list[KeyPlace]] = {}
     for place in key_places(text):
         at.setdefault(place.path, []).append(place)
     edits = [
@@ -225,12 +224,12 @@ def _meant(values: Mapping[str, object], renamings: Sequence[Renaming]) -> dict[
     return made
 
 
-def _inside(values: Any, place: Place) -> Any:  # noqa: ANN401 (of a file, of any form)
+def _inside(values: Any, place: KeyPath) -> Any:  # noqa: ANN401 (of a file, of any form)
     for step in place:
         values = values[step]
     return values
 
 
-def _shown(place: Place) -> str:
+def _shown(place: KeyPath) -> str:
     said = "".join(f"[{one + 1}]" if isinstance(one, int) else f".{one}" for one in place)
     return said.removeprefix(".")
