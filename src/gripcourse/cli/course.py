@@ -154,14 +154,22 @@ def renew(
 
     words, root = words_for(language), course_folder(course)
     found = renewals(root)
-    for file in found:
+    for file in found.files:
         for one in file.renamings:
             now = one.former.now or words.say(message("no longer needed"))
             typer.echo(f"{file.file}: {one.was} → {now}")
-    if not found:
-        confirm(words.say(message("Nothing of the course is called otherwise now.")))
+    for name in found.by_hand:
+        said = message(
+            "{file}: this cannot be written word by word; rename by hand what `gripcourse validate`"
+            " names.",
+            file=name,
+        )
+        typer.echo(words.say(said), err=True)
+    if not found.files:
+        if not found.by_hand:
+            confirm(words.say(message("Nothing of the course is called otherwise now.")))
     elif apply:
-        for path in write_renewals(root, found):
+        for path in write_renewals(root, found.files):
             confirm(words.say(message("Kept as it was: {file}", file=str(path))))
         confirm(words.say(message("What is left to do, `gripcourse validate` tells.")))
     else:

@@ -67,7 +67,7 @@ def written(root: Path, end: str) -> Path:
 
 def test_what_is_called_otherwise_is_renamed_and_all_else_stays(tmp_path: Path) -> None:
     root = written(tmp_path, "\n")
-    found = renewals(root)
+    found = renewals(root).files
     assert {one.file for one in found} == {
         name for name, (before, after) in FILES.items() if before != after
     }
@@ -76,18 +76,22 @@ def test_what_is_called_otherwise_is_renamed_and_all_else_stays(tmp_path: Path) 
         assert (root / name).read_text(encoding="utf-8") == after
     assert len(copies) == len(found)
     assert (root / "variants/schemes/a/scheme.toml.former").read_text(encoding="utf-8") == SCHEME
-    assert renewals(root) == ()
+    assert renewals(root).files == ()
+
+
+def test_a_file_that_cannot_be_renamed_word_by_word_is_named(tmp_path: Path) -> None:
+    assert renewals(written(tmp_path, "\n")).by_hand == ("variants/atlas/c.toml",)
 
 
 def test_a_second_renewal_keeps_the_first_copy(tmp_path: Path) -> None:
     root = written(tmp_path, "\n")
-    write_renewals(root, renewals(root))
+    write_renewals(root, renewals(root).files)
     (root / "variants/schemes/a/scheme.toml").write_text(SCHEME, encoding="utf-8")
-    [copy] = write_renewals(root, renewals(root))
+    [copy] = write_renewals(root, renewals(root).files)
     assert copy.name == "scheme.toml.former1"
 
 
 def test_lines_of_another_system_mean_the_same(tmp_path: Path) -> None:
     root = written(tmp_path, "\r\n")
-    for one in renewals(root):
+    for one in renewals(root).files:
         assert tomli.loads(one.text) == tomli.loads(FILES[one.file][1])

@@ -59,7 +59,20 @@ class Renewal:
     renamings: tuple[Renaming, ...]
 
 
-def renewals(root: Path) -> tuple[Renewal, ...]:
+@dataclass(frozen=True, slots=True)
+class Renewals:
+    """What of a course is called otherwise today.
+
+    Attributes:
+        files: as they would be.
+        by_hand: files whose names cannot be changed where they stand; their author has to.
+    """
+
+    files: tuple[Renewal, ...]
+    by_hand: tuple[str, ...]
+
+
+def renewals(root: Path) -> Renewals:
     """Return what of a course is called otherwise today, and the files as they would be.
 
     Args:
@@ -69,6 +82,7 @@ def renewals(root: Path) -> tuple[Renewal, ...]:
         CourseError: a file is no TOML; with all such files.
     """
     found: list[Renewal] = []
+    by_hand: list[str] = []
     problems: list[Problem] = []
     for file, shape in _files(root):
         values = toml_values(root / file, file, problems) or {}
@@ -76,11 +90,14 @@ def renewals(root: Path) -> tuple[Renewal, ...]:
         if renamings:
             # As it stands, with the ends of its lines.
             before = (root / file).read_bytes().decode("utf-8")
-            if (made := _renewed(file, before, values, renamings)) is not None:
+            made = _renewed(file, before, values, renamings)
+            if made is None:
+                by_hand.append(file)
+            else:
                 found.append(made)
     if problems:
         raise CourseError(problems)
-    return tuple(found)
+    return Renewals(tuple(found), tuple(by_hand))
 
 
 def write_renewals(root: Path, found: Sequence[Renewal]) -> tuple[Path, ...]:
