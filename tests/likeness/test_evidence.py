@@ -119,7 +119,7 @@ def three(
     families = np.tile(np.arange(table.shape[1]), (len(table), 1))
     kind = np.arange(len(table))
     discrete = np.zeros(table.shape[1], bool)
-    return IssuedValues(students, names, SparseTable.of_table(table), kind, families, discrete)
+    return IssuedValues(students, names, [SparseTable.of_table(table)], kind, families, discrete)
 
 
 ISSUED = three(
@@ -146,7 +146,7 @@ def odds(works: list[ComparedWork], kind: NumberKind, issued: IssuedValues = ISS
     return max((one.odds for one in found if one.kind is kind), default=0.0)
 
 
-RIGHT = {name: list(ISSUED.values.dense(range(5))[row]) for row, name in enumerate(ISSUED.owners)}
+RIGHT = {name: list(ISSUED.dense(range(5))[row]) for row, name in enumerate(ISSUED.owners)}
 
 
 def test_the_values_of_another_variant_are_told_though_its_owner_handed_in_nothing() -> None:

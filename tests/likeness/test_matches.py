@@ -8,8 +8,11 @@ from hypothesis import strategies as st
 from gripcourse.likeness.cells import Flags, SparseTable
 from gripcourse.likeness.matches import (
     ComparedNumbers,
+    Matches,
+    Spread,
     in_order,
     last_unit,
+    met,
     same_as_issued,
     same_as_typed,
 )
@@ -39,7 +42,8 @@ def test_every_variant_within_one_unit_of_the_last_digit_is_found(
     typed: list[list[float]], issued: list[list[float]]
 ) -> None:
     asked, values = numbers(typed), np.array(issued)
-    found = same_as_issued(asked, all_of(asked), in_order(SparseTable.of_table(values)))
+    others = in_order(SparseTable.of_table(values))
+    found = Matches.of(same_as_issued(asked), all_of(asked), others)
     expected = {
         (index, owner)
         for index, (column, value, unit) in enumerate(
@@ -58,7 +62,8 @@ def test_every_variant_within_one_unit_of_the_last_digit_is_found(
 @given(typed=TABLES)
 def test_everybody_else_who_typed_the_same_is_found(typed: list[list[float]]) -> None:
     asked = numbers(typed)
-    found = same_as_typed(asked, all_of(asked), in_order(SparseTable.of_table(np.array(typed))))
+    others = in_order(SparseTable.of_table(np.array(typed)))
+    found = Matches.of(same_as_typed(asked), all_of(asked), others)
     number, owner = found.owners(np.arange(len(asked.value)))
     pairs = set(zip(number.tolist(), owner.tolist(), strict=True))
     for one in range(len(asked.value)):
@@ -73,10 +78,33 @@ def test_a_number_that_is_not_looked_for_is_nobodys(
     typed: list[list[float]], issued: list[list[float]]
 ) -> None:
     asked, others = numbers(typed), in_order(SparseTable.of_table(np.array(issued)))
-    every, which = same_as_issued(asked, all_of(asked), others), asked.column != 1
-    some = same_as_issued(asked, which, others)
+    every, which = Matches.of(same_as_issued(asked), all_of(asked), others), asked.column != 1
+    some = Matches.of(same_as_issued(asked), which, others)
     assert (some.after - some.first == np.where(which, every.after - every.first, 0)).all()
-    assert (some.share == np.where(which, every.share, 0.0)).all()
+
+
+@given(typed=TABLES, issued=TABLES, after=st.integers(1, ROWS - 1))
+def test_as_many_are_counted_in_two_tables_as_in_one(
+    typed: list[list[float]], issued: list[list[float]], after: int
+) -> None:
+    values, sought = np.array(issued), same_as_issued(numbers(typed))
+    one, two = (
+        met(lambda: iter([sought]), [SparseTable.of_table(part) for part in parts])
+        for parts in ([values], [values[:after], values[after:]])
+    )
+    assert one.same[0].tolist() == two.same[0].tolist()
+    assert one.all.tolist() == two.all.tolist() == np.isfinite(values).sum(axis=0).tolist()
+    first, last = sought.runs(in_order(SparseTable.of_table(values)))
+    assert one.same[0].tolist() == (last - first).tolist()
+
+
+@given(table=TABLES, after=st.integers(0, ROWS))
+def test_numbers_spread_in_two_tables_as_in_one(table: list[list[float]], after: int) -> None:
+    values = np.array(table)
+    parts = [SparseTable.of_table(part) for part in (values[:after], values[after:])]
+    whole, parted = Spread.of([SparseTable.of_table(values)]), Spread.of(parts)
+    assert whole.middle.tolist() == parted.middle.tolist()
+    assert whole.width.tolist() == parted.width.tolist()
 
 
 @given(table=TABLES)

@@ -1,10 +1,9 @@
 """Numbers laid side by side in portions are the same numbers."""
 
 import random
-from typing import Any
 
+import numpy as np
 import pytest
-from numpy.typing import NDArray
 
 from gripcourse.course.model import Course
 from gripcourse.likeness.issued import IssuedValues, issued_values
@@ -42,49 +41,40 @@ def work(student: str, issued: IssuedValues, chance: random.Random) -> ComparedW
 
 
 @pytest.mark.parametrize("at_once", [1, 2, 7])
+@pytest.mark.parametrize("together", [1, 6, 2000])
 def test_it_does_not_matter_how_many_are_looked_into_together(
-    issued: IssuedValues, at_once: int, monkeypatch: pytest.MonkeyPatch
+    issued: IssuedValues, at_once: int, together: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     chance = random.Random(7)  # noqa: S311 (not for secrets)
     works = [work(chance.choice(issued.owners), issued, chance) for _ in range(40)]
-    whole = pool(works, issued)
+    whole = everything(pool(works, issued))
     monkeypatch.setattr("gripcourse.likeness.pool._AT_ONCE", at_once)
+    monkeypatch.setattr("gripcourse.likeness.pool._TOGETHER", together)
     parts = pool(works, issued)
-    assert whole.students == parts.students == tuple(one.student for one in works)
-    for one, other in zip(everything(whole), everything(parts), strict=True):
-        assert one.tobytes() == other.tobytes()
+    assert parts.students == tuple(one.student for one in works)
+    assert whole == everything(parts)
 
 
-def everything(pooled: ComparisonPool) -> list[NDArray[Any]]:
-    """All that is known of the numbers of a cohort."""
-    part = pooled.part(slice(0, len(pooled.explained)))
-    numbers = part.numbers
+def everything(pooled: ComparisonPool) -> list[tuple[object, ...]]:
+    """All that is known of each number of a cohort."""
     return [
-        *(numbers.row, numbers.column, numbers.value, numbers.unit),
-        *(pooled.own, part.explained, part.slip, pooled.common),
+        (one.first + row, *rest, pooled.common[slip] if slip >= 0 else None)
+        for one in pooled.parts()
+        for row, *rest, slip in zip(
+            *(one.numbers.row.tolist(), one.numbers.column.tolist(), one.numbers.value.tolist()),
+            *(one.numbers.unit.tolist(), np.nan_to_num(one.right).tolist()),
+            *(one.explained.tolist(), one.slip.tolist()),
+            strict=True,
+        )
     ]
-
-
-def test_a_part_is_what_the_whole_says_of_it(issued: IssuedValues) -> None:
-    chance = random.Random(8)  # noqa: S311 (not for secrets)
-    pooled = pool([work(issued.owners[0], issued, chance) for _ in range(20)], issued)
-    count = len(pooled.explained)
-    whole = pooled.part(slice(0, count))
-    for begin in range(0, count, 7):
-        which = slice(begin, min(begin + 7, count))
-        part = pooled.part(which)
-        assert part.slip.tolist() == whole.slip[which].tolist()
-        assert part.explained.tolist() == whole.explained[which].tolist()
-        for name in ("row", "column", "value", "unit"):
-            mine, theirs = (getattr(one.numbers, name) for one in (part, whole))
-            assert mine.tolist() == theirs[which].tolist()
 
 
 def test_of_several_numbers_of_one_quantity_the_last_counts(issued: IssuedValues) -> None:
     name = issued.quantities[0]
     typed = [Typed(name, value, 0.5, explained=False, slip=None) for value in (2.0, 5.0, 3.0)]
     pooled = pool([ComparedWork(issued.owners[0], TypedNumbers.of(typed), "")], issued)
-    assert pooled.typed.value.tolist() == [3.0]
+    [found] = pooled.works
+    assert found.typed.value.tolist() == [3.0]
 
 
 def test_noughts_unknown_quantities_and_what_fills_cells_say_nothing(issued: IssuedValues) -> None:
@@ -100,5 +90,6 @@ def test_noughts_unknown_quantities_and_what_fills_cells_say_nothing(issued: Iss
     ]
     pooled = pool(works, issued)
     # Three wrong fours of one student fill cells; a right one and another student's do not.
-    assert pooled.typed.value.tolist() == [4.0, 5.0, 5.0, 4.0]
-    assert pooled.typed.place[0].tolist() == [0, 0, 0, 1]
+    [found] = pooled.works
+    assert found.typed.value.tolist() == [4.0, 5.0, 5.0, 4.0]
+    assert found.typed.place[0].tolist() == [0, 0, 0, 1]

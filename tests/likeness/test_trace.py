@@ -20,7 +20,7 @@ def issued_of(table: NDArray[np.float64]) -> IssuedValues:
     return IssuedValues(
         owners=tuple(f"{row:03d}" for row in range(len(table))),
         quantities=QUANTITIES,
-        values=SparseTable.of_table(table),
+        values=[SparseTable.of_table(table)],
         kind=np.zeros(len(table), np.intp),
         families=np.arange(5)[None, :],
         discrete=np.zeros(5, bool),

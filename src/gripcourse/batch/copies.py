@@ -10,7 +10,7 @@ from gripcourse.grading.made_for import versions_of
 from gripcourse.grading.model import Report
 from gripcourse.likeness.evidence import find_evidence
 from gripcourse.likeness.flags import flags_by_student
-from gripcourse.likeness.issued import IssuedValues, issued_values
+from gripcourse.likeness.issued import issued_values
 from gripcourse.likeness.model import Evidence
 from gripcourse.likeness.works import work_of
 from gripcourse.solver.plan import make_plan
@@ -67,16 +67,14 @@ def evidence_of(
     by_owner = {one.student: context.declared.get(one.declarations) for one in judged}
     declared = {owner: course for owner, course in by_owner.items() if course is not None}
 
-    def solved() -> IssuedValues:
-        variants = [(student, entry.variant) for student, entry in issued.items()]
-        return issued_values(context.course, variants, declared)
-
+    variants = [(student, entry.variant) for student, entry in issued.items()]
     if kept is None:
-        values = solved()
+        values = issued_values(context.course, variants, declared)
     else:
         versions = [(student, one.version) for student, one in issued.items()]
         by = [(one.student, one.declarations) for one in judged if one.student in declared]
-        values = kept.issued_values(repr((versions, by)), solved)
+        kept_tables = kept.issued_values(repr((versions, by)))
+        values = issued_values(context.course, variants, declared, kept_tables)
     return find_evidence(works, values, context.policy.likeness)
 
 

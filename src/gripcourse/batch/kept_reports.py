@@ -9,13 +9,14 @@ from typing import Any, TypeAlias, TypeVar
 
 from gripcourse.grading.folded import Shelf, digest_of_report
 from gripcourse.grading.model import Flag, Report
-from gripcourse.likeness.issued import IssuedValues
+from gripcourse.likeness.cells import SparseTable
+from gripcourse.likeness.issued import KeptTable
 from gripcourse.machine.content import Readable, digest_of_content, shown_name
 from gripcourse.machine.kept import read_value, write_value
 from gripcourse.machine.kept_records import Find, RecordsFile, kept_records, new_records
 
 _COMPARED = "compared.kept"
-_ISSUED = "issued.kept"
+_ISSUED = "issued-{number}.kept"
 _Found = TypeVar("_Found")
 
 FlagsOf: TypeAlias = Mapping[str, tuple[Flag, ...]]
@@ -68,14 +69,17 @@ class KeptReports:
         """
         return self._last(_COMPARED, "\n".join(map(digest_of_report, reports)), find)
 
-    def issued_values(self, about: str, find: Callable[[], IssuedValues]) -> IssuedValues:
-        """Return the right values of what was issued; the last ones are kept.
+    def issued_values(self, about: str) -> KeptTable:
+        """Return what returns the right values of what was issued; the last ones are kept.
 
         Args:
             about: which versions they are of, and by which declarations.
-            find: solves them, where an earlier run did not solve just these.
         """
-        return self._last(_ISSUED, about, find)
+
+        def table(number: int, solve: Callable[[], SparseTable]) -> SparseTable:
+            return self._last(_ISSUED.format(number=number), about, solve)
+
+        return table
 
     def _last(self, name: str, about: str, find: Callable[[], _Found]) -> _Found:
         """Return what was found last, if it was about just the same; else it is found, and kept."""

@@ -1,27 +1,36 @@
 """How likely numbers meet without copying: by chance, by a slip, by the same mistake."""
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Final
 
 import numpy as np
 
-from gripcourse.likeness.cells import Floats, Ints
-from gripcourse.likeness.matches import Matches, OrderedValues, density
+from gripcourse.likeness.cells import Floats, Ints, SparseTable
+from gripcourse.likeness.matches import Met, Sought, density, met
 from gripcourse.likeness.model import Chances
 from gripcourse.likeness.pool import ComparisonPool, PooledPart
 
 _SAME_RATIO: Final = 1e-3  # relative: as exactly as people type
 
 
-def chance_of(part: PooledPart, found: Matches, chances: Chances) -> Floats:
+def chance_of(part: PooledPart, sought: Sought, share: Floats, chances: Chances) -> Floats:
     """Return how likely each number meets a certain other one without copying.
+
+    Args:
+        part: some numbers of a cohort.
+        sought: the same, as others have them.
+        share: (numbers that nothing explains,); part of all others that have the same.
+        chances: what counts as coincidence.
 
     Returns:
         (numbers,); 1 for what is explained.
     """
-    pooled, numbers = part.pooled, part.numbers
-    near = density(numbers, pooled.spread) * found.window
-    wrong = np.maximum(np.maximum(near, found.share), chances.least)
+    pooled, numbers, unknown = part.pooled, part.numbers, ~part.explained
+    common = np.zeros(len(unknown))
+    common[unknown] = share
+    near = density(numbers, pooled.spread) * sought.window
+    wrong = np.maximum(np.maximum(near, common), chances.least)
     discrete = pooled.issued.discrete[numbers.column]
     wrong = np.where(discrete, np.maximum(wrong, chances.discrete), wrong)
     made = part.slip >= 0
@@ -32,77 +41,75 @@ def chance_of(part: PooledPart, found: Matches, chances: Chances) -> Floats:
 
 
 @dataclass(frozen=True, slots=True)
-class CommonMistakes:
-    """How common the mistake is that makes each number that nothing explains.
-
-    Attributes:
-        number: these numbers of a cohort, in their order.
-        likely: of each, that another makes the same mistake.
-    """
-
-    number: Ints
-    likely: Floats
-
-    def part(self, part: PooledPart) -> "SharedMethods":
-        """Return the same for some of the numbers."""
-        likely = np.zeros(len(part.explained))
-        begin, end = np.searchsorted(self.number, (part.which.start, part.which.stop))
-        likely[self.number[begin:end] - part.which.start] = self.likely[begin:end]
-        return SharedMethods(part, likely)
-
-
-@dataclass(frozen=True, slots=True)
 class SharedMethods:
     """How likely two students make the same mistake, where it gives them the same number.
 
     Attributes:
         part: some numbers of a cohort.
         likely: (numbers,); that another makes the same mistake; 0 for what is explained.
+        others: the right numbers of other submissions (rows), of their own variants.
     """
 
     part: PooledPart
     likely: Floats
+    others: SparseTable
 
     def chance(self, number: Ints, owner: Ints) -> Floats:
-        """Return it for pairs of a number and a submission; 0 where they would differ."""
-        pooled, numbers = self.part.pooled, self.part.numbers
-        column, values = numbers.column[number], pooled.issued.values
-        right = values.at(pooled.own[numbers.row[number]], column)
-        theirs = values.at(pooled.own[owner], column)
-        shared = np.isclose(right, theirs, rtol=1e-6, atol=0.0)
+        """Return it for pairs of a number and another submission; 0 where they would differ."""
+        theirs = self.others.at(owner, self.part.numbers.column[number])
+        shared = np.isclose(self.part.right[number], theirs, rtol=1e-6, atol=0.0)
         return np.where(shared, self.likely[number], 0.0)
 
 
-def common_mistakes(
-    pooled: ComparisonPool, typed: OrderedValues, chances: Chances
-) -> CommonMistakes:
+@dataclass(frozen=True, slots=True)
+class CommonMistakes:
+    """How common each mistake is among those who answered its quantity.
+
+    Attributes:
+        met: how many are off by the same ratio.
+        chances: what counts as coincidence.
+    """
+
+    met: Met
+    chances: Chances
+
+    def shared(self, portion: int, part: PooledPart, others: SparseTable) -> SharedMethods:
+        """Return what makes some numbers likelier for certain pairs.
+
+        Args:
+            portion: place of the part among all.
+            part: these numbers.
+            others: the right numbers of other submissions.
+        """
+        likely, (unknown, sought) = np.zeros(len(part.explained)), _ratios(part)
+        likely[~part.explained] = self.chances.shared
+        # Of those that are off by the same ratio the number itself is one.
+        likely[unknown] = np.maximum(self.met.share(portion, sought, 1), self.chances.shared)
+        return SharedMethods(part, likely, others)
+
+
+def common_mistakes(pooled: ComparisonPool, chances: Chances) -> CommonMistakes:
     """Find out how common each mistake is among those who answered its quantity.
 
     Args:
         pooled: the numbers.
-        typed: the same, in order.
         chances: what counts as coincidence.
     """
-    wrong = np.flatnonzero(~pooled.explained).astype(np.int32)
-    likely = np.zeros(len(wrong))
-    # One quantity after the other: all of them at once would take as much room again.
-    for column in np.unique(pooled.typed.key[wrong] % pooled.typed.columns).tolist():
-        mine = typed.places(column)
-        right = pooled.issued.values.at(pooled.own[typed.owner(mine)], np.array(column))
-        with np.errstate(divide="ignore", invalid="ignore"):
-            common = _commonness(pooled.typed.value[mine] / right)
-        unknown = ~pooled.explained[mine]
-        likely[np.searchsorted(wrong, mine[unknown])] = common[unknown]
-    return CommonMistakes(wrong, np.maximum(likely, chances.shared, out=likely))
+
+    def portions() -> Iterator[Sought]:
+        return (_ratios(part)[1] for part in pooled.parts())
+
+    return CommonMistakes(met(portions, (one.ratios for one in pooled.works)), chances)
 
 
-def _commonness(ratio: Floats) -> Floats:
-    """Return which part of a quantity's numbers is off by the same ratio, but for this one."""
-    result = np.zeros(len(ratio))
-    mine = np.flatnonzero(np.isfinite(ratio))
-    ordered = np.sort(ratio[mine])
-    reach = np.abs(ratio[mine]) * _SAME_RATIO
-    low = np.searchsorted(ordered, ratio[mine] - reach, "left")
-    high = np.searchsorted(ordered, ratio[mine] + reach, "right")
-    result[mine] = (high - low - 1) / max(len(mine), 1)
-    return result
+def _ratios(part: PooledPart) -> tuple[Ints, Sought]:
+    """Return by how much the numbers that nothing explains are larger than the right ones.
+
+    Returns:
+        Their places among the numbers, without those that no right one belongs to; and the ratios.
+    """
+    with np.errstate(divide="ignore", invalid="ignore"):
+        ratio = part.numbers.value / part.right
+    which = np.flatnonzero(~part.explained & np.isfinite(ratio))
+    reach = np.abs(ratio[which]) * _SAME_RATIO
+    return which, Sought(part.numbers.column[which], ratio[which], reach)

@@ -10,24 +10,31 @@ over how much may have been taken, and divided by the number of comparisons.
 import math
 from collections import defaultdict
 from collections.abc import Container, Iterable, Iterator, Sequence
-from dataclasses import dataclass, replace
-from itertools import pairwise
-from typing import Final
+from dataclasses import dataclass, field, replace
+from itertools import chain, repeat
 
 import numpy as np
 
-from gripcourse.likeness.cells import Floats, Ints
-from gripcourse.likeness.chance import SharedMethods, chance_of, common_mistakes
+from gripcourse.likeness.chance import CommonMistakes, chance_of, common_mistakes
 from gripcourse.likeness.issued import IssuedValues
-from gripcourse.likeness.matches import OrderedValues, in_order, same_as_issued, same_as_typed
+from gripcourse.likeness.matches import (
+    Matches,
+    Met,
+    OrderedValues,
+    Sought,
+    in_order,
+    met,
+    same_as_issued,
+    same_as_typed,
+)
 from gripcourse.likeness.model import Chances, ComparedWork, Evidence, NumberKind
 from gripcourse.likeness.odds import PairMatches, likely_pairs, log_odds, rests_on
-from gripcourse.likeness.pool import ComparisonPool, PooledPart, pool
-from gripcourse.likeness.typed_numbers import none_typed
+from gripcourse.likeness.pool import ComparisonPool, PooledPart, PooledWorks, pool
 from gripcourse.policy.model import LikenessRule
 
 _LARGEST = 700.0  # logarithm of the largest odds that are told
-_AT_ONCE: Final = 100  # submissions: what comparing needs besides the numbers is room for these
+_ITSELF = 1  # of those who have the same issued number, whom the number is about
+_BOTH = 2  # of those who typed the same
 
 
 def find_evidence(
@@ -49,110 +56,165 @@ def find_evidence(
         For each submission at most the other variant that fits it best, and all students whose
         answers are the same, by odds; then common authors.
     """
-    known = set(issued.owners)
-    named: list[ComparedWork] = []
-    nothing = none_typed()
+    known, authors = set(issued.owners), Authors()
 
     def usable() -> Iterator[ComparedWork]:
         for work in works:
-            named.append(replace(work, numbers=nothing))
+            authors.add(work.student, work.creator)
             if work.student in known:
                 yield work
 
     pooled = pool(usable(), issued)
-    creators = tuple(same_creators(named, rule))
+    creators = tuple(same_creators(authors, rule))
     if rule.odds == 0 or not pooled.students:
         return creators
-    chosen = chances or Chances()
-    variants, pairs = _of_issued(pooled, rule, chosen)
-    alike = _of_typed(pooled, rule, chosen)
+    asked = _Asked(pooled, rule, chances or Chances())
+    taken = tuple(taken_from_issued(asked))
+    pairs = {(one.student, owner) for one in taken for owner in one.owners}
+    variants = [asked.evidence(NumberKind.OTHER_VARIANT, one.student, one.best) for one in taken]
+    alike = same_answers(asked)
     return (*variants, *owners_of_copies(pairs, alike), *creators)
 
 
-def _of_issued(
-    pooled: ComparisonPool, rule: LikenessRule, chances: Chances
-) -> tuple[list[Evidence], set[tuple[str, str]]]:
-    """Find the other variants that submissions fit, and all pairs of a student and an owner."""
-    ordered = in_order(pooled.issued.values)
-    found: list[Evidence] = []
-    pairs: set[tuple[str, str]] = set()
-    for part in _parts(pooled):
-        taken = taken_from_issued(part, ordered, rule, chances)
-        found += other_variants(pooled, taken)
-        pairs |= {
-            (pooled.students[row], pooled.issued.owners[owner])
-            for row, owner in zip(taken.row, taken.owner, strict=True)
-        }
-    return found, pairs
+@dataclass(frozen=True, slots=True)
+class _Asked:
+    """What is asked of the numbers of a cohort.
 
+    Attributes:
+        pooled: the numbers.
+        rule: from which odds on evidence is told.
+        chances: what counts as coincidence.
+    """
 
-def _of_typed(pooled: ComparisonPool, rule: LikenessRule, chances: Chances) -> list[Evidence]:
-    """Find the submissions in which the same numbers were typed."""
-    ordered = in_order(pooled.typed)
-    mistakes = common_mistakes(pooled, ordered, chances)
-    return [
-        one
-        for part in _parts(pooled)
-        for one in same_answers(part, ordered, mistakes.part(part), rule, chances)
-    ]
+    pooled: ComparisonPool
+    rule: LikenessRule
+    chances: Chances
 
+    @property
+    def comparisons(self) -> float:
+        """The logarithm of how many variants and submissions were compared with submissions."""
+        submissions = len(self.pooled.students)
+        return math.log(max(1, submissions * (len(self.pooled.issued.owners) + submissions - 2)))
 
-def _parts(pooled: ComparisonPool) -> Iterator[PooledPart]:
-    """Part the numbers into those of so many submissions as there is room to compare at a time."""
-    key, columns = pooled.typed.key, pooled.typed.columns
-    rows = np.array([*range(0, len(pooled.students), _AT_ONCE), len(pooled.students)])
-    begins = np.searchsorted(key, (rows * columns).astype(key.dtype))
-    yield from (pooled.part(slice(begin, end)) for begin, end in pairwise(begins.tolist()))
+    @property
+    def least(self) -> float:
+        """The logarithm of the odds that are told, before they are divided."""
+        return math.log(self.rule.odds) + self.comparisons
+
+    @property
+    def answers(self) -> int:
+        """How many telling numbers odds must rest on."""
+        return max(self.rule.answers, 1)
+
+    def evidence(self, kind: NumberKind, student: str, *likest: "Likest") -> Evidence:
+        """Tell what a submission is like; the first is the likest, on whose numbers it rests."""
+        odds = math.exp(min(likest[0].log - self.comparisons, _LARGEST))
+        others = dict.fromkeys(one.owner for one in likest)
+        return Evidence(kind, (student, *others), odds, likest[0].rests_on)
 
 
 @dataclass(frozen=True, slots=True)
-class TakenNumbers:
-    """The submissions that fit another student's variant beyond chance.
+class Likest:
+    """What a submission is like.
 
     Attributes:
-        compared: how they were compared: exactly, and moved a little.
-        row, owner: of each pair, by submission.
-        each: (comparisons, pairs); logarithms of the odds.
-        logs: (pairs,); over all comparisons.
+        log: logarithm of the odds, before they are divided.
+        owner: whose numbers they are.
+        rests_on: quantities that the odds rest on, the strongest first; of the likest alone.
     """
 
-    compared: tuple[PairMatches, ...]
-    row: Ints
-    owner: Ints
-    each: Floats
-    logs: Floats
+    log: float
+    owner: str
+    rests_on: tuple[str, ...] = ()
 
 
-def taken_from_issued(
-    part: PooledPart, issued: OrderedValues, rule: LikenessRule, chances: Chances
-) -> TakenNumbers:
-    """Compare submissions with the right values of all other students' variants."""
-    pooled, wrong = part.pooled, ~part.explained
-    least, answers = _least(pooled, rule), max(rule.answers, 1)
-    found = [same_as_issued(part.numbers, wrong, issued, moved) for moved in chances.moved]
-    compared = tuple(PairMatches(part, one, chance_of(part, one, chances)) for one in found)
-    likely = [likely_pairs(one, least, answers) for one in compared]
-    pairs = np.unique(np.concatenate(likely))
-    row, owner = np.divmod(pairs, len(pooled.issued.owners))
-    other = owner != pooled.own[row]
-    each = np.stack([log_odds(one, pairs[other], answers) for one in compared])
+@dataclass(slots=True)
+class TakenNumbers:
+    """Other students whose variants one submission fits beyond chance.
+
+    Attributes:
+        student: of the submission.
+        best: the one that it fits best.
+        owners: all of them.
+    """
+
+    student: str
+    best: Likest
+    owners: list[str] = field(default_factory=list)
+
+
+def taken_from_issued(asked: _Asked) -> Iterator[TakenNumbers]:
+    """Yield what submissions have in common with the right values of other students' variants."""
+    pooled, moved = asked.pooled, asked.chances.moved
+
+    def portions() -> Iterator[Sought]:
+        return (
+            same_as_issued(part.numbers, one).some(~part.explained)
+            for part in pooled.parts()
+            for one in moved
+        )
+
+    counted = met(portions, pooled.issued.values)
+    found: dict[int, TakenNumbers] = {}
+    first = 0
+    for table in pooled.issued.values:
+        others = in_order(table)
+        for number, part in enumerate(pooled.parts()):
+            compared = _compared_with_issued(asked, part, others, counted, number * len(moved))
+            _keep_taken(asked, part, compared, first, found)
+        first += table.rows
+    yield from (found[row] for row in sorted(found))
+
+
+def _compared_with_issued(
+    asked: _Asked, part: PooledPart, others: OrderedValues, counted: Met, portion: int
+) -> tuple[PairMatches, ...]:
+    """Compare submissions with the right values of a table: exactly, and moved a little."""
+    unknown, compared = ~part.explained, list[PairMatches]()
+    for way, moved in enumerate(asked.chances.moved):
+        sought = same_as_issued(part.numbers, moved)
+        share = counted.share(portion + way, sought.some(unknown), _ITSELF)
+        chance = chance_of(part, sought, share, asked.chances)
+        compared.append(PairMatches(part, Matches.of(sought, unknown, others), chance))
+    return tuple(compared)
+
+
+def _keep_taken(
+    asked: _Asked,
+    part: PooledPart,
+    compared: Sequence[PairMatches],
+    first: int,
+    found: dict[int, TakenNumbers],
+) -> None:
+    """Keep the owners of a table whose variants submissions fit beyond chance.
+
+    Args:
+        asked: for what.
+        part: numbers of the submissions.
+        compared: every way in which they were compared.
+        first: row of the table's first owner among all.
+        found: by submission, what was found so far; it is added to.
+    """
+    pooled, owners = asked.pooled, asked.pooled.issued.owners
+    pairs = np.unique(
+        np.concatenate([likely_pairs(one, asked.least, asked.answers) for one in compared])
+    )
+    row, owner = np.divmod(pairs, compared[0].owners)
+    other = first + owner != pooled.own[part.first + row]
+    row, owner, pairs = row[other], owner[other], pairs[other]
+    each = np.stack([log_odds(one, pairs, asked.answers) for one in compared])
     # Nobody knows beforehand whether numbers were moved: both count alike.
     logs = np.logaddexp.reduce(each) - math.log(len(compared))
-    told = logs >= least
-    return TakenNumbers(compared, row[other][told], owner[other][told], each[:, told], logs[told])
-
-
-def other_variants(pooled: ComparisonPool, taken: TakenNumbers) -> Iterator[Evidence]:
-    """Yield for each submission the variant of another student that it fits beyond chance."""
-    for row in np.unique(taken.row):
-        mine = np.flatnonzero(taken.row == row)
-        best = int(mine[np.argmax(taken.logs[mine])])
-        owner = int(taken.owner[best])
-        nearest = taken.compared[int(np.argmax(taken.each[:, best]))]
-        names = rests_on(nearest, int(row) * nearest.owners + owner)
-        students = (pooled.students[row], pooled.issued.owners[owner])
-        odds = _odds(pooled, float(taken.logs[best]))
-        yield Evidence(NumberKind.OTHER_VARIANT, students, odds, names)
+    for place in np.flatnonzero(logs >= asked.least).tolist():
+        submission, name = int(part.first + row[place]), owners[first + int(owner[place])]
+        before = found.get(submission)
+        if before is None or logs[place] > before.best.log:
+            nearest = compared[int(np.argmax(each[:, place]))]
+            best = Likest(float(logs[place]), name, rests_on(nearest, int(pairs[place])))
+            if before is None:
+                before = found[submission] = TakenNumbers(pooled.students[submission], best)
+            before.best = best
+        before.owners.append(name)
 
 
 def owners_of_copies(
@@ -179,60 +241,95 @@ def owners_of_copies(
             yield replace(one, students=(student, *rest))
 
 
-def same_answers(
-    part: PooledPart,
-    typed: OrderedValues,
-    methods: SharedMethods,
-    rule: LikenessRule,
-    chances: Chances,
-) -> Iterator[Evidence]:
+def same_answers(asked: _Asked) -> Iterator[Evidence]:
     """Yield for each submission those in which the same numbers were typed beyond chance."""
-    pooled = part.pooled
-    least, answers = _least(pooled, rule), max(rule.answers, 1)
-    found = same_as_typed(part.numbers, ~part.explained, typed)
-    chance = chance_of(part, found, chances)
-    compared = PairMatches(part, found, chance, methods)
-    pairs = likely_pairs(compared, least, answers)
-    row, other = np.divmod(pairs, len(pooled.students))
-    pairs = pairs[pooled.own[row] != pooled.own[other]]
-    logs = log_odds(compared, pairs, answers)
-    pairs, logs = pairs[logs >= least], logs[logs >= least]
-    row, other = np.divmod(pairs, len(pooled.students))
+    pooled = asked.pooled
+
+    def portions() -> Iterator[Sought]:
+        return (same_as_typed(part.numbers).some(~part.explained) for part in pooled.parts())
+
+    counted = met(portions, (works.typed for works in pooled.works))
+    mistakes = common_mistakes(pooled, asked.chances)
+    found: dict[int, list[Likest]] = defaultdict(list)
+    first = 0
+    for works in pooled.works:
+        compared = _compared_with_typed(asked, works, counted, mistakes)
+        for one in compared:
+            _keep_alike(asked, one, first, found)
+        first += len(works.own)
+    for row in sorted(found):
+        likest = sorted(found[row], key=lambda one: -one.log)
+        yield asked.evidence(NumberKind.SAME_ANSWERS, pooled.students[row], *likest)
+
+
+def _compared_with_typed(
+    asked: _Asked, works: PooledWorks, counted: Met, mistakes: CommonMistakes
+) -> Iterator[PairMatches]:
+    """Compare submissions with what was typed in those of a table."""
+    others, right = in_order(works.typed), works.of_right
+    for number, part in enumerate(asked.pooled.parts()):
+        sought, unknown = same_as_typed(part.numbers), ~part.explained
+        share = counted.share(number, sought.some(unknown), _BOTH)
+        chance = chance_of(part, sought, share, asked.chances)
+        methods = mistakes.shared(number, part, right)
+        yield PairMatches(part, Matches.of(sought, unknown, others), chance, methods)
+
+
+def _keep_alike(
+    asked: _Asked, compared: PairMatches, first: int, found: dict[int, list[Likest]]
+) -> None:
+    """Keep the submissions of a table that are like others beyond chance.
+
+    Args:
+        asked: for what.
+        compared: how.
+        first: the table's first submission among all.
+        found: by submission, what was found so far; it is added to.
+    """
+    pooled, part = asked.pooled, compared.part
+    pairs = likely_pairs(compared, asked.least, asked.answers)
+    row, other = np.divmod(pairs, compared.owners)
+    pairs = pairs[pooled.own[part.first + row] != pooled.own[first + other]]
+    logs = log_odds(compared, pairs, asked.answers)
+    pairs, logs = pairs[logs >= asked.least], logs[logs >= asked.least]
+    row, other = np.divmod(pairs, compared.owners)
     for one in np.unique(row):
         mine = np.flatnonzero(row == one)
         strongest = mine[np.argsort(-logs[mine], kind="stable")]
-        others = dict.fromkeys(pooled.students[place] for place in other[strongest])
         names = rests_on(compared, int(pairs[strongest[0]]))
-        odds = _odds(pooled, float(logs[strongest[0]]))
-        yield Evidence(NumberKind.SAME_ANSWERS, (pooled.students[one], *others), odds, names)
+        found[int(part.first + one)] += (
+            Likest(float(logs[place]), pooled.students[first + int(other[place])], told)
+            for place, told in zip(strongest, chain((names,), repeat(())), strict=False)
+        )
 
 
-def same_creators(works: Sequence[ComparedWork], rule: LikenessRule) -> Iterator[Evidence]:
-    """Yield the few students whose workbooks name one author; many share a computer room."""
-    students: dict[str, dict[str, str]] = defaultdict(dict)
-    for work in works:
-        name = " ".join(work.creator.split())
+@dataclass(frozen=True, slots=True)
+class Authors:
+    """Whom workbooks name as their authors.
+
+    Attributes:
+        students: everybody whose workbook was looked at.
+        named: by author, whatever the case of the letters, the students and the name as it is
+            written in the first workbook of each.
+    """
+
+    students: set[str] = field(default_factory=set)
+    named: dict[str, dict[str, str]] = field(default_factory=dict)
+
+    def add(self, student: str, creator: str) -> None:
+        """Take down whom a student's workbook names."""
+        self.students.add(student)
+        name = " ".join(creator.split())
         if name:
-            students[name.casefold()].setdefault(work.student, name)
-    everybody = len({work.student for work in works})
-    for same in students.values():
+            self.named.setdefault(name.casefold(), {}).setdefault(student, name)
+
+
+def same_creators(authors: Authors, rule: LikenessRule) -> Iterator[Evidence]:
+    """Yield the few students whose workbooks name one author; many share a computer room."""
+    everybody = len(authors.students)
+    for same in authors.named.values():
         if 1 < len(same) <= rule.same_creator and len(same) < everybody:
             for student, name in same.items():
                 others = (one for one in same if one != student)
                 odds = everybody / len(same)
                 yield Evidence(NumberKind.SAME_CREATOR, (student, *others), odds, (name,))
-
-
-def _odds(pooled: ComparisonPool, log: float) -> float:
-    return math.exp(min(log - _comparisons(pooled), _LARGEST))
-
-
-def _least(pooled: ComparisonPool, rule: LikenessRule) -> float:
-    """Return the logarithm of the odds that are told, before they are divided."""
-    return math.log(rule.odds) + _comparisons(pooled)
-
-
-def _comparisons(pooled: ComparisonPool) -> float:
-    """Return the logarithm of how many variants and submissions were compared with submissions."""
-    submissions = len(pooled.students)
-    return math.log(max(1, submissions * (len(pooled.issued.owners) + submissions - 2)))

@@ -2,9 +2,13 @@
 
 Rows are submissions, columns quantities. Nothing here compares all with all: what is kept of equal
 numbers is where their run begins and ends, which takes no more room than the numbers themselves.
+
+Numbers of a large cohort stand in several tables, of which one is in memory at a time. How common a
+number is among all is counted first; then each table is looked through for who has the same.
 """
 
 import math
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 
@@ -62,27 +66,58 @@ class OrderedValues:
 
 
 @dataclass(frozen=True, slots=True)
-class Matches:
-    """For typed numbers the owners that have the same: a run of them in the order of size.
+class Sought:
+    """Numbers that others may have too.
 
     Attributes:
-        numbers: what was typed.
-        others: where it was looked for.
-        reach: (numbers,); how far the same number may be.
-        first, after: (numbers,); where the run begins, and where it has ended; nowhere for a number
-            that was not looked for.
-        share: (numbers,); part of all owners of the quantity that have the same, but for those
-            whom the number is about.
-        window: (numbers,); relative width in which a number counts as the same.
+        column: quantity of each.
+        value: of each, in the declared unit.
+        reach: how far the same number may be.
     """
 
-    numbers: ComparedNumbers
-    others: OrderedValues
+    column: Ints
+    value: Floats
     reach: Floats
+
+    @property
+    def window(self) -> Floats:
+        """Relative width in which each counts as the same."""
+        return np.asarray(2 * (self.reach / np.abs(self.value)))
+
+    def some(self, which: Flags) -> "Sought":
+        """Return some of them."""
+        return Sought(self.column[which], self.value[which], self.reach[which])
+
+    def runs(self, others: OrderedValues) -> tuple[Ints, Ints]:
+        """Return where the run of those that have the same begins in the order, and has ended."""
+        begin, end = others.begins[self.column], others.begins[self.column + 1]
+        first = _found(others, begin, end, self.value - self.reach, np.less) - begin
+        after = _found(others, begin, end, self.value + self.reach, np.less_equal) - begin
+        return first, after
+
+
+@dataclass(frozen=True, slots=True)
+class Matches:
+    """For typed numbers the owners in one table that have the same: a run in the order of size.
+
+    Attributes:
+        sought: the numbers.
+        others: the table.
+        first, after: (numbers,); where the run begins, and where it has ended; nowhere for a number
+            that was not looked for.
+    """
+
+    sought: Sought
+    others: OrderedValues
     first: Ints
     after: Ints
-    share: Floats
-    window: Floats
+
+    @classmethod
+    def of(cls, sought: Sought, which: Flags, others: OrderedValues) -> "Matches":
+        """Look for some of the numbers."""
+        first, after = np.zeros((2, len(which)), dtype=np.intp)
+        first[which], after[which] = sought.some(which).runs(others)
+        return cls(sought, others, first, after)
 
     def owners(self, chosen: Ints) -> tuple[Ints, Ints]:
         """Return, for each hit of some numbers, the number and the owner."""
@@ -90,13 +125,13 @@ class Matches:
         start = np.repeat(self.first[chosen] - np.concatenate(([0], np.cumsum(count)[:-1])), count)
         number = np.repeat(chosen, count)
         place = start + np.arange(len(number))
-        begin = self.others.begins[self.numbers.column[number]]
+        begin = self.others.begins[self.sought.column[number]]
         return number, self.others.owner(self.others.order[begin + place]).astype(np.intp)
 
     def are_same(self, number: Ints, owner: Ints) -> Flags:
         """Tell of pairs of a number and an owner whether that owner has the same."""
-        theirs = self.others.values.at(owner, self.numbers.column[number])
-        value, reach = self.numbers.value[number], self.reach[number]
+        theirs = self.others.values.at(owner, self.sought.column[number])
+        value, reach = self.sought.value[number], self.sought.reach[number]
         return (theirs >= value - reach) & (theirs <= value + reach)
 
 
@@ -117,32 +152,69 @@ def in_order(values: SparseTable) -> OrderedValues:
     return OrderedValues(values, begins, order, known)
 
 
-def same_as_issued(
-    numbers: ComparedNumbers, which: Flags, issued: OrderedValues, moved: float = _OWN_ROUNDING
-) -> Matches:
-    """Find the variants whose right values numbers are.
+def same_as_issued(numbers: ComparedNumbers, moved: float = _OWN_ROUNDING) -> Sought:
+    """Seek the variants whose right values numbers are.
 
     Args:
         numbers: what was typed.
-        which: (numbers,); whether each is looked for.
-        issued: the right ones.
         moved: relative; how far a taken number may be from the right one, where that is more than
             one unit of its last digit.
     """
     reach = np.maximum(numbers.unit, moved * np.abs(numbers.value))
-    return _matches(numbers, which, issued, reach * (1 + _SAME), 1)
+    return Sought(numbers.column, numbers.value, reach * (1 + _SAME))
 
 
-def same_as_typed(numbers: ComparedNumbers, which: Flags, typed: OrderedValues) -> Matches:
-    """Find the submissions in which the same was typed, but for rounding; its own is among them.
+def same_as_typed(numbers: ComparedNumbers) -> Sought:
+    """Seek the submissions in which the same was typed, but for rounding; its own is among them."""
+    reach = np.maximum(numbers.unit / 2, _SAME * np.abs(numbers.value))
+    return Sought(numbers.column, numbers.value, reach * (1 + _SAME))
+
+
+@dataclass(frozen=True, slots=True)
+class Met:
+    """How many of all owners have the same numbers.
+
+    Attributes:
+        same: of each portion of the numbers that were sought: (numbers,), who has the same.
+        all: (quantities,); who has any number of a quantity.
+    """
+
+    same: tuple[Ints, ...]
+    all: Ints
+
+    def share(self, portion: int, sought: Sought, but_for: int) -> Floats:
+        """Return the part of all owners that have the same numbers.
+
+        Args:
+            portion: place of the numbers among the portions.
+            sought: the numbers.
+            but_for: how many of those who have the same do not count as others.
+        """
+        others = np.maximum(self.same[portion] - but_for, 0)
+        return np.asarray(others / np.maximum(self.all[sought.column], 1))
+
+
+def met(portions: Callable[[], Iterator[Sought]], tables: Iterable[SparseTable]) -> Met:
+    """Count who has the same numbers.
 
     Args:
-        numbers: what was typed.
-        which: (numbers,); whether each is looked for.
-        typed: in all submissions.
+        portions: yields what is sought, the same each time.
+        tables: of all owners, the one below the other.
     """
-    reach = np.maximum(numbers.unit / 2, _SAME * np.abs(numbers.value))
-    return _matches(numbers, which, typed, reach * (1 + _SAME), 2)  # the pair itself
+    same = list[Ints]()
+    everybody: Ints = np.zeros(0, dtype=np.intp)
+    for table in tables:
+        others = in_order(table)
+        counts = others.begins[1:] - others.begins[:-1]
+        everybody = everybody + counts if len(everybody) else counts
+        for place, sought in enumerate(portions()):
+            first, after = sought.runs(others)
+            count: Ints = (after - first).astype(np.int32)
+            if place < len(same):
+                same[place] += count
+            else:
+                same.append(count)
+    return Met(tuple(same), everybody)
 
 
 @dataclass(frozen=True, slots=True)
@@ -158,18 +230,29 @@ class Spread:
     width: Floats
 
     @classmethod
-    def of(cls, values: SparseTable) -> "Spread":
-        """Return how the numbers of each column of a table spread."""
-        middles, wides = np.zeros(values.columns), np.full(values.columns, _WIDEST_SPREAD)
-        begins, order = values.by_column
+    def of(cls, tables: Sequence[SparseTable]) -> "Spread":
+        """Return how the numbers of each column of tables spread that stand one below the other."""
+        count = max((table.columns for table in tables), default=0)
+        numbers: Floats = np.zeros(count)
+        sums: Floats = np.zeros(count)
+        for column, logs in _logs(tables):
+            numbers[column] += len(logs)
+            sums[column] = _sum(logs, sums[column])
+        of_each = np.maximum(numbers, 1)
+        middle = sums / of_each
+        squares: Floats = np.zeros(count)
+        for column, logs in _logs(tables):
+            squares[column] = _sum((logs - middle[column]) ** 2, squares[column])
+        return cls(middle, np.maximum(np.sqrt(squares / of_each), _WIDEST_SPREAD))
+
+
+def _logs(tables: Iterable[SparseTable]) -> Iterator[tuple[int, Floats]]:
+    """Yield the logarithms of what stands in each column of each table, but for noughts."""
+    for table in tables:
+        begins, order = table.by_column
         for column, (begin, end) in enumerate(pairwise(begins.tolist())):
-            sizes = np.abs(values.value[order[begin:end]])
-            logs = np.log(sizes[sizes != 0])
-            count = max(len(logs), 1)
-            middles[column] = _sum(logs) / count
-            spread = math.sqrt(_sum((logs - middles[column]) ** 2) / count)
-            wides[column] = max(spread, _WIDEST_SPREAD)
-        return cls(middles, wides)
+            sizes: Floats = np.abs(table.value[order[begin:end]])
+            yield column, np.log(sizes[sizes != 0])
 
 
 def density(numbers: ComparedNumbers, spread: Spread) -> Floats:
@@ -183,36 +266,12 @@ def density(numbers: ComparedNumbers, spread: Spread) -> Floats:
     return result
 
 
-def _sum(values: Floats) -> float:
+def _sum(values: Floats, before: float) -> float:
     """Add numbers up one after the other: judgements must not hang on how they are parted."""
-    return float(np.add.accumulate(values)[-1]) if len(values) else 0.0
+    return float(np.add.accumulate(np.concatenate(([before], values)))[-1])
 
 
-def _matches(
-    numbers: ComparedNumbers, which: Flags, others: OrderedValues, reach: Floats, apart: int
-) -> Matches:
-    """Find for each number the run of owners within reach.
-
-    Args:
-        numbers: what was typed.
-        which: (numbers,); whether each is looked for.
-        others: where.
-        reach: (numbers,); how far a value may be.
-        apart: how many of those found do not count as others.
-    """
-    wanted = np.flatnonzero(which)
-    column, value, near = numbers.column[wanted], numbers.value[wanted], reach[wanted]
-    begin, end = others.begins[column], others.begins[column + 1]
-    first, after = np.zeros((2, len(numbers.value)), dtype=np.intp)
-    first[wanted] = _sought(others, begin, end, value - near, np.less) - begin
-    after[wanted] = _sought(others, begin, end, value + near, np.less_equal) - begin
-    share = np.zeros(len(numbers.value))
-    share[wanted] = np.maximum((after - first)[wanted] - apart, 0) / np.maximum(end - begin, 1)
-    window = 2 * (reach / np.abs(numbers.value))
-    return Matches(numbers, others, reach, first, after, share, window)
-
-
-def _sought(
+def _found(
     others: OrderedValues, begin: Ints, end: Ints, value: Floats, is_before: np.ufunc
 ) -> Ints:
     """Return where each value's place is among some of the ordered, by one binary search of all.

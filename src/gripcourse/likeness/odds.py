@@ -1,5 +1,6 @@
 """The odds that a submission's numbers are those of another student, of the pairs that matter.
 
+Some submissions are compared with the owners of numbers of one table; rows are counted in theirs.
 Of a cohort's pairs nearly all share nothing that tells. Which ones may reach the odds that are
 told follows from what tells alone; only these are weighed, some at a time, so that room is needed
 for the numbers and not for all pairs.
@@ -24,10 +25,10 @@ _PAIRS_AT_ONCE = 1_000
 
 @dataclass(frozen=True, slots=True)
 class PairMatches:
-    """One way to compare all submissions with all owners of numbers.
+    """One way to compare some submissions with the owners of a table of numbers.
 
     Attributes:
-        part: numbers of some submissions.
+        part: numbers of the submissions.
         found: equal numbers.
         chance: (numbers,); that a number meets a certain other one without copying, at least; 1
             where it tells nothing.
@@ -46,7 +47,7 @@ class PairMatches:
 
     @property
     def owners(self) -> int:
-        """How many owners of numbers there are."""
+        """How many owners the table has."""
         return self.found.others.values.rows
 
 
@@ -72,11 +73,10 @@ def likely_pairs(compared: PairMatches, least: float, answers: int) -> Ints:
     Returns:
         In their order: row of the submission times owners, plus row of the owner.
     """
-    row, least = compared.part.numbers.row, least - _SLACK
+    begin, row, least = compared.part.begin, compared.part.numbers.row, least - _SLACK
     weight = -np.log(compared.chance)
-    most = np.bincount(row, weight, len(compared.pooled.students))
-    telling = np.flatnonzero((weight > 0) & (most[row] >= least))
-    begin = int(row[0]) if len(row) else 0
+    most = np.bincount(row - begin, weight)
+    telling = np.flatnonzero((weight > 0) & (most[row - begin] >= least))
     mine, theirs = _told_bits(compared, weight > 0, begin), compared.found.others.known
     found = [np.zeros(0, dtype=np.intp)]
     for chosen in _portions(compared, telling):
@@ -195,7 +195,7 @@ def _hits(compared: PairMatches, pairs: Ints) -> tuple[_Hits, Floats]:
     if compared.shared is not None:
         # What is explained stays so, whoever else has it.
         chance = np.maximum(chance, compared.shared.chance(number, owner[pair]))
-    own = compared.pooled.own[row[pair]]
+    own = compared.pooled.own[compared.part.first + row[pair]]
     family = compared.pooled.issued.family(own, numbers.column[number])
     return _Hits(pair, number, _once_for_each(pair, family, chance)), known
 

@@ -1,9 +1,11 @@
 """All numbers of all submissions side by side, and what explains each of them without copying."""
 
 from array import array
-from collections.abc import Iterable, Mapping, Sequence
+from collections import Counter
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
-from itertools import accumulate, islice
+from itertools import accumulate, islice, pairwise
+from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,27 +14,65 @@ from gripcourse.likeness.cells import Flags, Floats, Ints, SparseTable, keys_of
 from gripcourse.likeness.issued import IssuedValues
 from gripcourse.likeness.matches import ComparedNumbers, Spread, last_unit
 from gripcourse.likeness.model import ComparedWork
+from gripcourse.likeness.typed_numbers import TypedNumbers
+from gripcourse.machine.shelf import Shelved
 from gripcourse.slips.model import SlipId
 
 _FILLER = 3  # unexplained cells with the same number: typed to fill them, not computed
-_AT_ONCE = 100  # submissions that are looked into together
+_AT_ONCE: Final = 100  # submissions that are looked into together
+_TOGETHER: Final = 2000  # submissions in one table: what lies in memory of them at a time
 
 
 @dataclass(frozen=True, slots=True)
-class ComparisonPool:
-    """The numbers of a cohort; of ten thousand works a million, so nothing stands here twice.
+class PooledWorks:
+    """The numbers of some submissions; nothing stands here twice.
 
     Attributes:
-        students: of the submissions.
-        own: row of each submission's student in the table of issued values.
-        issued: that table.
-        spread: of its values.
+        own: row of each submission's student in the tables of issued values.
         typed: what was typed, of submissions (rows) and quantities (columns); never zero.
+        right: (numbers,); what the student's own variant has for each; NaN for nothing.
         half_unit: (numbers,); half a unit of the last digit of each, as a place in what follows.
         half_units: all different ones.
         explained: (numbers,); whether a number says nothing.
         slipped: the numbers that have a slip, in their order.
-        slip: of each of these its slip, as a place in what follows.
+        slip: of each of these its slip, as a place in `ComparisonPool.common`.
+    """
+
+    own: Ints
+    typed: SparseTable
+    right: Floats
+    half_unit: Ints
+    half_units: Floats
+    explained: Flags
+    slipped: Ints
+    slip: Ints
+
+    @property
+    def of_right(self) -> SparseTable:
+        """The right numbers, as a table of the same submissions and quantities."""
+        known = np.isfinite(self.right)
+        typed = self.typed
+        return SparseTable(typed.rows, typed.columns, typed.key[known], self.right[known])
+
+    @property
+    def ratios(self) -> SparseTable:
+        """By how much each number is larger than the right one; nothing where there is none."""
+        with np.errstate(divide="ignore", invalid="ignore"):
+            ratio = self.typed.value / self.right
+        known, typed = np.isfinite(ratio), self.typed
+        return SparseTable(typed.rows, typed.columns, typed.key[known], ratio[known])
+
+
+@dataclass(frozen=True, slots=True)
+class ComparisonPool:
+    """The numbers of a cohort, in tables of which one is in memory at a time.
+
+    Attributes:
+        students: of the submissions.
+        own: row of each submission's student in the tables of issued values.
+        issued: these tables.
+        spread: of their values.
+        works: the numbers, the submissions of the first table before those of the second.
         common: (slips,); how common each is among those who answered its quantity.
     """
 
@@ -40,23 +80,15 @@ class ComparisonPool:
     own: Ints
     issued: IssuedValues
     spread: Spread
-    typed: SparseTable
-    half_unit: Ints
-    half_units: Floats
-    explained: Flags
-    slipped: Ints
-    slip: Ints
+    works: Sequence[PooledWorks]
     common: Floats
 
-    def part(self, which: slice) -> "PooledPart":
-        """Return some of the numbers, all that is known of each beside it."""
-        row, column = np.divmod(self.typed.key[which], self.typed.columns)
-        value, half_unit = self.typed.value[which], self.half_units[self.half_unit[which]]
-        slip = np.full(len(value), -1, dtype=np.int32)
-        begin, end = np.searchsorted(self.slipped, (which.start, which.stop))
-        slip[self.slipped[begin:end] - which.start] = self.slip[begin:end]
-        numbers = ComparedNumbers(row, column, value, last_unit(value, half_unit))
-        return PooledPart(self, which, numbers, self.explained[which], slip)
+    def parts(self) -> Iterator["PooledPart"]:
+        """Part the numbers into those of as many submissions as are compared together."""
+        first = 0
+        for works in self.works:
+            yield from _parts(self, works, first)
+            first += len(works.own)
 
 
 @dataclass(frozen=True, slots=True)
@@ -65,17 +97,39 @@ class PooledPart:
 
     Attributes:
         pooled: all of them.
-        which: of these.
+        first: the submission, among all, whose row is 0.
+        begin: the first row that has any of these numbers.
         numbers: what was typed, by submission, then by quantity.
+        right: (numbers,); what the student's own variant has for each; NaN for nothing.
         explained: (numbers,); whether a number says nothing.
         slip: (numbers,); its slip; −1 where there is none.
     """
 
     pooled: ComparisonPool
-    which: slice
+    first: int
+    begin: int
     numbers: ComparedNumbers
+    right: Floats
     explained: Flags
     slip: Ints
+
+
+def _parts(pooled: ComparisonPool, works: PooledWorks, first: int) -> Iterator[PooledPart]:
+    typed, count = works.typed, len(works.own)
+    rows = np.array([*range(0, count, _AT_ONCE), count])
+    begins = np.searchsorted(typed.key, (rows * typed.columns).astype(typed.key.dtype))
+    for begin, end in pairwise(begins.tolist()):
+        which = slice(begin, end)
+        row, column = np.divmod(typed.key[which], typed.columns)
+        value, half_unit = typed.value[which], works.half_units[works.half_unit[which]]
+        slip = np.full(len(value), -1, dtype=np.int32)
+        since, until = np.searchsorted(works.slipped, (begin, end))
+        slip[works.slipped[since:until] - begin] = works.slip[since:until]
+        numbers = ComparedNumbers(row, column, value, last_unit(value, half_unit))
+        at = int(row[0]) if len(row) else 0
+        yield PooledPart(
+            pooled, first, at, numbers, works.right[which], works.explained[which], slip
+        )
 
 
 def pool(works: Iterable[ComparedWork], issued: IssuedValues) -> ComparisonPool:
@@ -83,50 +137,76 @@ def pool(works: Iterable[ComparedWork], issued: IssuedValues) -> ComparisonPool:
 
     Each is looked into once: it is asked for, and let go when the next ones come.
     """
-    rows = {student: row for row, student in enumerate(issued.owners)}
-    columns = _Columns(issued.columns)
-    students: list[str] = []
-    slips: dict[tuple[int, SlipId], int] = {}
-    half_units: dict[float, int] = {}
-    keys: list[Ints] = []
-    told, values, of_unit, slipped, of_slip = (array(kind) for kind in "bdiii")
-    answered = np.zeros(len(issued.quantities), dtype=np.intp)
-    left = iter(works)
-    while portion := tuple(islice(left, _AT_ONCE)):
-        found = _Laid.of(portion, columns)
-        usable = found.usable
-        slip = found.slips(portion, usable, slips)
-        chosen = found.chosen(usable)
-        has_slip = np.flatnonzero(slip[chosen] >= 0).astype(np.int32)
-        slipped.frombytes((has_slip + len(values)).tobytes())
-        of_slip.frombytes(slip[chosen[has_slip]].tobytes())
-        so_far = len(students) + len(portion), len(issued.quantities)
-        keys.append(keys_of(so_far, found.row[chosen] + len(students), found.column[chosen]))
-        told.frombytes(found.explained[chosen].tobytes())
-        values.frombytes(found.value[chosen].tobytes())
-        of_unit.frombytes(_numbered(found.half_unit[chosen], half_units).tobytes())
-        answered += np.bincount(found.column[chosen], minlength=len(answered))
-        students += (work.student for work in portion)
-    quantity = np.array([place for place, _ in slips], dtype=np.intp)
-    of_all = np.frombuffer(of_slip, np.int32)
+    gathering = _Gathering(issued)
+    tables = Shelved(gathering.tables(iter(works)))
+    own = np.frombuffer(gathering.own, np.int32)
+    counts = np.array([gathering.slipped[one] for one in gathering.slips.values()], np.float64)
+    quantity = np.array([place for place, _ in gathering.slips], dtype=np.intp)
     return ComparisonPool(
-        students=tuple(students),
-        own=np.array([rows[student] for student in students], dtype=np.int32),
+        students=tuple(issued.owners[row] for row in gathering.own),
+        own=own,
         issued=issued,
         spread=Spread.of(issued.values),
-        typed=SparseTable(
-            rows=len(students),
-            columns=len(issued.quantities),
-            key=np.concatenate([np.zeros(0, dtype=np.int32), *keys]),
-            value=np.frombuffer(values),
-        ),
-        half_unit=np.frombuffer(of_unit, np.int32),
-        half_units=np.array(list(half_units), dtype=np.float64),
-        explained=np.frombuffer(told, np.bool_),
-        slipped=np.frombuffer(slipped, np.int32),
-        slip=of_all,
-        common=np.bincount(of_all, minlength=len(quantity)) / answered[quantity],
+        works=tables,
+        common=counts / gathering.answered[quantity],
     )
+
+
+class _Gathering:
+    """What is known of a cohort's submissions while they come one after another."""
+
+    def __init__(self, issued: IssuedValues) -> None:
+        self.issued = issued
+        self.rows = {student: row for row, student in enumerate(issued.owners)}
+        self.columns = _Columns(issued.columns)
+        self.own = array("i")
+        self.slips: dict[tuple[int, SlipId], int] = {}
+        self.slipped: Counter[int] = Counter()
+        self.answered = np.zeros(len(issued.quantities), dtype=np.intp)
+
+    def tables(self, works: Iterator[ComparedWork]) -> Iterator[PooledWorks]:
+        """Yield the numbers of so many submissions as stand in one table."""
+        while (found := self._table(islice(works, _TOGETHER))) is not None:
+            yield found
+
+    def _table(self, works: Iterator[ComparedWork]) -> PooledWorks | None:
+        """Put submissions side by side; None for none."""
+        half_units: dict[float, int] = {}
+        rows: list[Ints] = []
+        columns: list[Ints] = []
+        told, values, of_unit, slipped, of_slip = (array(kind) for kind in "bdiii")
+        begin = len(self.own)
+        while portion := tuple(islice(works, _AT_ONCE)):
+            found = _Laid.of([work.numbers for work in portion], self.columns)
+            usable = found.usable
+            slip = found.slips(usable, self.slips)
+            chosen = found.chosen(usable)
+            has_slip = np.flatnonzero(slip[chosen] >= 0).astype(np.int32)
+            slipped.frombytes((has_slip + len(values)).tobytes())
+            of_slip.frombytes(slip[chosen[has_slip]].tobytes())
+            rows.append(found.row[chosen] + np.int32(len(self.own) - begin))
+            columns.append(found.column[chosen])
+            told.frombytes(found.explained[chosen].tobytes())
+            values.frombytes(found.value[chosen].tobytes())
+            of_unit.frombytes(_numbered(found.half_unit[chosen], half_units).tobytes())
+            self.answered += np.bincount(found.column[chosen], minlength=len(self.answered))
+            self.own.extend(self.rows[work.student] for work in portion)
+        if len(self.own) == begin:
+            return None
+        own = np.array(self.own[begin:], dtype=np.int32)
+        row, column = np.concatenate(rows), np.concatenate(columns)
+        shape = len(own), len(self.issued.quantities)
+        self.slipped.update(of_slip)
+        return PooledWorks(
+            own=own,
+            typed=SparseTable(*shape, keys_of(shape, row, column), np.frombuffer(values)),
+            right=self.issued.at(own[row], column),
+            half_unit=np.frombuffer(of_unit, np.int32),
+            half_units=np.array(list(half_units), dtype=np.float64),
+            explained=np.frombuffer(told, np.bool_),
+            slipped=np.frombuffer(slipped, np.int32),
+            slip=np.frombuffer(of_slip, np.int32),
+        )
 
 
 def _numbered(values: Floats, known: dict[float, int]) -> NDArray[np.int32]:
@@ -156,12 +236,14 @@ class _Laid:
     """The numbers of some submissions, as they were typed, one after another.
 
     Attributes:
+        works: what was typed in each submission.
         row: which of these submissions each is of.
         column: quantity of each; −1 where no variant has it.
         value, half_unit, explained: of each; see `Typed`.
         begins: (submissions,); where the numbers of each begin.
     """
 
+    works: Sequence[TypedNumbers]
     row: NDArray[np.int32]
     column: NDArray[np.int32]
     value: Floats
@@ -170,26 +252,24 @@ class _Laid:
     begins: Sequence[int]
 
     @classmethod
-    def of(cls, works: Sequence[ComparedWork], columns: _Columns) -> "_Laid":
+    def of(cls, works: Sequence[TypedNumbers], columns: _Columns) -> "_Laid":
         """Lay them out."""
-        numbers = [work.numbers for work in works]
-        counts = [len(one) for one in numbers]
+        counts = [len(one) for one in works]
         return cls(
+            works=works,
             row=np.repeat(np.arange(len(works), dtype=np.int32), counts),
-            column=np.concatenate([columns.of(one.names) for one in numbers]),
-            value=np.concatenate([one.values for one in numbers]),
-            half_unit=np.concatenate([one.half_units for one in numbers]),
-            explained=np.concatenate([one.explained for one in numbers]),
+            column=np.concatenate([columns.of(one.names) for one in works]),
+            value=np.concatenate([one.values for one in works]),
+            half_unit=np.concatenate([one.half_units for one in works]),
+            explained=np.concatenate([one.explained for one in works]),
             begins=[0, *accumulate(counts[:-1])],
         )
 
-    def slips(
-        self, works: Sequence[ComparedWork], usable: Flags, known: dict[tuple[int, SlipId], int]
-    ) -> NDArray[np.int32]:
+    def slips(self, usable: Flags, known: dict[tuple[int, SlipId], int]) -> NDArray[np.int32]:
         """Return the number of the slip of each, −1 where there is none; new ones become known."""
         slip = np.full(len(self.value), -1, dtype=np.int32)
-        for begin, work in zip(self.begins, works, strict=True):
-            for place, one in work.numbers.slips.items():
+        for begin, work in zip(self.begins, self.works, strict=True):
+            for place, one in work.slips.items():
                 if usable[begin + place]:
                     key = int(self.column[begin + place]), one
                     slip[begin + place] = known.setdefault(key, len(known))

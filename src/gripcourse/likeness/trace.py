@@ -120,7 +120,7 @@ def _match(clue: Clue, issued: IssuedValues, column: int, row: int) -> Match:
     return Match(
         clue.text,
         issued.quantities[column],
-        float(issued.values.at(np.array(row), np.array(column))),
+        float(issued.at(np.array([row]), np.array([column]))[0]),
     )
 
 
@@ -144,7 +144,7 @@ def _nearest(
     value = np.array([one for _, one, _ in columns])
     unit = last_unit(value, np.array([half for *_, half in columns]))
     reach = np.maximum(unit, _OWN_ROUNDING * np.abs(value))
-    values = issued.values.dense(place)
+    values = issued.dense(place)
     away = np.where(np.isfinite(values), np.abs(values - value), np.inf) / reach
     best = np.argmin(away, axis=1)
     fits = away[np.arange(rows), best] <= 1 + _OWN_ROUNDING
