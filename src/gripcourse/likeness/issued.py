@@ -32,7 +32,8 @@ KeptTable: TypeAlias = Callable[[int, Callable[[], SparseTable]], SparseTable]
 """Returns one of the tables: what an earlier run kept of it, or what solving comes to."""
 
 
-def _solved_anew(_: int, solve: Callable[[], SparseTable]) -> SparseTable:
+def solved_anew(_: int, solve: Callable[[], SparseTable]) -> SparseTable:
+    """Solve a table, whatever an earlier run did."""
     return solve()
 
 
@@ -147,7 +148,7 @@ def issued_values(
     course: Course,
     variants: Sequence[tuple[str, Variant]],
     declared: Mapping[str, Course] = _TODAY,
-    kept: KeptTable = _solved_anew,
+    kept: KeptTable = solved_anew,
 ) -> IssuedValues:
     """Solve all variants, as many at a time as there is room for.
 

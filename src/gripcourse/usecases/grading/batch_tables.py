@@ -43,7 +43,7 @@ def renew_tables(
         return
     students = [issued.student for issued in context.register.values()]
     digests = [digest_of_report(one) for one in reports]
-    made_from = told_of(*digests, repr(students), repr(passed_over))
+    made_from = told_of((*digests, repr(students), repr(passed_over)))
     if all(printed.stands(one, made_from) for one in tables):
         return
     lines = printed.lines_of(out / GRADES_JSON)
