@@ -25,7 +25,7 @@ from gripcourse.variants.model import Variant
 _PROPORTIONAL = 0.995  # correlation of logarithms from which two quantities count as one
 _ENOUGH = 8  # different values from which a correlation says something
 _DIFFERENT = 1e-6  # of the logarithm
-_TOGETHER: Final = 2000  # owners in one table: what lies in memory of them at a time
+_TOGETHER: Final = 1000  # owners in one table: what lies in memory of them at a time
 _TODAY: Final[Mapping[str, Course]] = MappingProxyType({})
 
 KeptTable: TypeAlias = Callable[[int, Callable[[], SparseTable]], SparseTable]
