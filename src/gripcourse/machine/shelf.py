@@ -12,6 +12,7 @@ import weakref
 from array import array
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
+from itertools import accumulate
 from threading import Lock
 from typing import IO, Any, Final, Generic, TypeVar, overload
 
@@ -113,16 +114,14 @@ class Shelved(Sequence[_Value], Generic[_Value]):
         self._held: dict[int, bytes] = {}
         self._load = load
         for number, value in enumerate(values):
-            self._starts.append(_HERE)
-            self._sizes.append(0)
             self._put(number, dump(value))
 
     def _put(self, number: int, data: bytes) -> None:
         place = self._shelf.put(data)
         if place is None:
             self._held[number] = data
-        else:
-            self._starts[number], self._sizes[number] = place.start, place.size
+        self._starts.append(_HERE if place is None else place.start)
+        self._sizes.append(len(data))
 
     def __len__(self) -> int:
         return len(self._starts)
@@ -136,13 +135,12 @@ class Shelved(Sequence[_Value], Generic[_Value]):
     def __getitem__(self, place: int | slice) -> _Value | Sequence[_Value]:
         if isinstance(place, slice):
             return tuple(self[number] for number in range(*place.indices(len(self))))
-        number = range(len(self))[place]
-        start = self._starts[number]
-        data = (
-            self._held[number] if start == _HERE else self._shelf.read(start, self._sizes[number])
-        )
-        value: _Value = self._load(data)
+        value: _Value = self._load(self._bytes(range(len(self))[place]))
         return value
+
+    def _bytes(self, number: int) -> bytes:
+        start, size = self._starts[number], self._sizes[number]
+        return self._held[number] if start == _HERE else self._shelf.read(start, size)
 
     def __iter__(self) -> Iterator[_Value]:
         return (self[number] for number in range(len(self)))
@@ -152,5 +150,18 @@ class Shelved(Sequence[_Value], Generic[_Value]):
 
     __hash__ = None  # type: ignore[assignment] # as of any sequence whose values may have none
 
+    def __reduce__(self) -> tuple[object, ...]:
+        # Another process has no part in the shelf: the bytes travel, and get one there.
+        whole = b"".join(map(self._bytes, range(len(self))))
+        return _lying_again, (self._load, self._sizes.tobytes(), whole)
+
     def __repr__(self) -> str:
         return f"{type(self).__name__}({len(self)} values)"
+
+
+def _lying_again(load: Callable[[bytes], Any], sizes: bytes, whole: bytes) -> Shelved[Any]:
+    found = array("q")
+    found.frombytes(sizes)
+    ends = accumulate(found)
+    parts = (whole[end - size : end] for size, end in zip(found, ends, strict=True))
+    return Shelved(parts, dump=bytes, load=load)
