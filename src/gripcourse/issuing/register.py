@@ -46,15 +46,18 @@ def changed_entries(
         key: that signs now.
         former: keys that signed before.
     """
+    keys = (key, *former)
     return tuple(
         entry
         for entry in (*register.entries, *register.earlier)
-        if not any(_fits(one, register.course_id, entry) for one in (key, *former))
+        if not is_unchanged(entry, register.course_id, keys)
     )
 
 
-def _fits(key: bytes, course_id: str, entry: Issued) -> bool:
-    return verify(key, course_id, entry.student.id, entry.variant, entry.signature, entry.version)
+def is_unchanged(entry: Issued, course_id: str, keys: Sequence[bytes]) -> bool:
+    """Tell whether the numbers of an entry fit its signature by any of some keys."""
+    student, variant, signed = entry.student.id, entry.variant, entry.signature
+    return any(verify(key, course_id, student, variant, signed, entry.version) for key in keys)
 
 
 def verified(register: Register, key: bytes, place: str, former: Sequence[bytes] = ()) -> Register:
@@ -70,7 +73,22 @@ def verified(register: Register, key: bytes, place: str, former: Sequence[bytes]
         RegisterError: naming every student whose numbers are not those that were issued.
     """
     changed = changed_entries(register, key, former)
-    if len(changed) == len(register.entries) + len(register.earlier) > 1:
+    refuse_changed(changed, len(register.entries) + len(register.earlier), place)
+    return register
+
+
+def refuse_changed(changed: Sequence[Issued], entries: int, place: str) -> None:
+    """Refuse a register of which somebody has changed anything.
+
+    Args:
+        changed: what does not fit its signature.
+        entries: how many there are in all.
+        place: where the register is, for a person.
+
+    Raises:
+        RegisterError: naming every student whose numbers are not those that were issued.
+    """
+    if len(changed) == entries > 1:
         what = message("Not one entry of the register fits the key: it is another one.")
         remedy = message("Restore the key that the course was issued with from a backup.")
         raise RegisterError([Problem(place, "", what, remedy)])
@@ -90,4 +108,3 @@ def verified(register: Register, key: bytes, place: str, former: Sequence[bytes]
             )
             for entry in changed
         )
-    return register

@@ -3,12 +3,12 @@
 import json
 import math
 import sys
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from datetime import date
-from typing import Any, TypeAlias
+from typing import Any, Final, TypeAlias
 
-from sqlalchemy import Connection, func, insert, select
+from sqlalchemy import Connection, Select, and_, func, insert, select
 from sqlalchemy import Row as SqlRow
 
 from gripcourse.errors import Problem, RegisterError
@@ -23,22 +23,12 @@ _Row: TypeAlias = dict[str, object]
 RowOfTable: TypeAlias = SqlRow[Any]
 
 
-@dataclass(frozen=True, slots=True)
-class RegisterRows:
-    """The rows of a register as they stand in the database; equal where nothing has changed."""
-
-    issued: Sequence[RowOfTable]
-    persons: Sequence[RowOfTable]
+_AT_ONCE: Final = 500  # rows
 
 
-def fetch_rows(connection: Connection, course_id: str) -> RegisterRows:
-    """Return the rows of a course."""
-    one, person = schema.issued, schema.persons
-    question = select(one).where(one.c.course == course_id).order_by(one.c.id)
-    found = connection.execute(question).all()
-    # After them: whoever is issued to in between is a person more, never one too few.
-    question = select(person).where(person.c.course == course_id).order_by(person.c.number)
-    return RegisterRows(found, connection.execute(question).all())
+def fetch_rows(connection: Connection, course_id: str) -> Sequence[RowOfTable]:
+    """Return the rows of a course as they stand now; equal where nothing of it has changed."""
+    return connection.execute(_all_of(course_id)).all()
 
 
 def read_rows(connection: Connection, course_id: str, place: str) -> Register:
@@ -46,7 +36,17 @@ def read_rows(connection: Connection, course_id: str, place: str) -> Register:
     return register_of_rows(fetch_rows(connection, course_id), course_id, place)
 
 
-def register_of_rows(found: RegisterRows, course_id: str, place: str) -> Register:
+def stream_entries(connection: Connection, course_id: str, place: str) -> Iterator[Issued]:
+    """Yield every version that was issued in a course, in this order; few rows are held at a time.
+
+    Errors as for `register_of_rows`.
+    """
+    options = {"yield_per": _AT_ONCE}
+    with connection.execute(_all_of(course_id), execution_options=options) as streamed:
+        yield from _entries(streamed, place)
+
+
+def register_of_rows(found: Iterable[RowOfTable], course_id: str, place: str) -> Register:
     """Put a register together: of each student the last version counts.
 
     Args:
@@ -57,23 +57,52 @@ def register_of_rows(found: RegisterRows, course_id: str, place: str) -> Registe
     Raises:
         RegisterError: a row cannot be read.
     """
-    persons = {row.student: row._asdict() for row in found.persons}
     entries: dict[str, Issued] = {}
     earlier: list[Issued] = []
+    for entry in _entries(found, place):
+        student = entry.student.id
+        if student in entries:
+            earlier.append(entries[student])
+        entries[student] = entry
+    return Register(course_id, tuple(entries.values()), tuple(earlier))
+
+
+def _all_of(course_id: str) -> Select[Any]:
+    """Ask for all that was issued in a course, each with what the last row of its person says.
+
+    In one question: whoever is issued to meanwhile is in both tables, or in neither.
+    """
+    one, person, other = schema.issued, schema.persons, schema.persons.alias()
+    last = select(func.max(other.c.number)).where(
+        other.c.course == one.c.course, other.c.student == one.c.student
+    )
+    same = and_(
+        person.c.course == one.c.course,
+        person.c.student == one.c.student,
+        person.c.number == last.scalar_subquery(),
+    )
+    known = (person.c.name, person.c.study_group, person.c.email, person.c.language)
+    return (
+        select(one, person.c.number.label("person"), *known, person.c.fixed_variant)
+        .select_from(one.outerjoin(person, same))
+        .where(one.c.course == course_id)
+        .order_by(one.c.id)
+    )
+
+
+def _entries(rows: Iterable[RowOfTable], place: str) -> Iterator[Issued]:
+    """Put the entries of rows together, one after the other."""
     shared = _CommonParts()
-    for row in (one._asdict() for one in found.issued):
+    for row in (one._asdict() for one in rows):
         student = row["student"]
         try:
-            entry = _entry(row, persons[student], shared)
+            entry = _entry(row, shared)
         except (KeyError, TypeError, ValueError) as fault:
             key = message("student {student}", student=student)
             what = message("The entry is damaged: {fault}.", fault=repr(fault))
             remedy = message("Restore the register from a backup; do not edit it by hand.")
             raise RegisterError([Problem(place, key, what, remedy)]) from fault
-        if student in entries:
-            earlier.append(entries[student])
-        entries[student] = entry
-    return Register(course_id, tuple(entries.values()), tuple(earlier))
+        yield entry
 
 
 def other_courses(connection: Connection, course_id: str) -> tuple[str, ...]:
@@ -176,12 +205,15 @@ class _CommonParts:
         return self.days[written]
 
 
-def _entry(row: Mapping[str, Any], person: Mapping[str, Any], shared: _CommonParts) -> Issued:
+def _entry(row: Mapping[str, Any], shared: _CommonParts) -> Issued:
     """Put an entry together.
 
     Raises:
+        KeyError: there is no such person.
         TypeError, ValueError: a row is not as it was written.
     """
+    if row["person"] is None:
+        raise KeyError(row["student"])
     deadline = row["deadline"]
     for name in (row["student"], row["variant"]):
         if not is_file_name(name):
@@ -189,11 +221,11 @@ def _entry(row: Mapping[str, Any], person: Mapping[str, Any], shared: _CommonPar
     return Issued(
         student=Student(
             id=row["student"],
-            name=person["name"],
-            group=sys.intern(person["study_group"]),
-            email=person["email"],
-            language=sys.intern(person["language"]),
-            variant=person["fixed_variant"],
+            name=row["name"],
+            group=sys.intern(row["study_group"]),
+            email=row["email"],
+            language=sys.intern(row["language"]),
+            variant=row["fixed_variant"],
         ),
         variant=Variant(
             id=row["variant"],

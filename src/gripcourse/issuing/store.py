@@ -5,9 +5,10 @@ at the same time waits, or is refused by the primary key and tries again with wh
 no entry is lost and no variant given twice.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field
+from itertools import chain, islice
 from pathlib import Path
 
 from sqlalchemy import Connection, Engine
@@ -17,13 +18,15 @@ from gripcourse.issuing.allotment import Extended
 from gripcourse.issuing.register import Register, verified
 from gripcourse.issuing.register_file import old_register_path, read_register_file
 from gripcourse.issuing.rows import (
-    RegisterRows,
+    RowOfTable,
     add_rows,
     fetch_rows,
     other_courses,
     read_rows,
     register_of_rows,
+    stream_entries,
 )
+from gripcourse.issuing.shelved import ShelvedRegister, shelved
 from gripcourse.issuing.signature import key_path, read_keys
 from gripcourse.machine.database.home import exists, gradebook_path, home_of
 from gripcourse.machine.database.opening import (
@@ -53,14 +56,42 @@ def read_register(root: Path, course_id: str) -> Register:
             of another course.
         GradebookError: the database cannot be used.
     """
-    place = home_of(root)
-    if old_register_path(root).is_file():
-        _take_over(root, course_id)
-    if not exists(place):
+    engine = _register_engine(root, course_id)
+    if engine is None:
         return Register(course_id, ())
-    engine = open_engine(place)
     with refusals_named(without_password(engine.url)), engine.connect() as connection:
         return _read(connection, engine, root, course_id)
+
+
+def shelve_register(root: Path, course_id: str) -> ShelvedRegister:
+    """Read the register of a course for who looks into one entry after the other.
+
+    It takes little memory, however much was issued. Arguments and errors as for `read_register`.
+    """
+    engine = _register_engine(root, course_id)
+    if engine is None:
+        return ShelvedRegister(course_id, {}, {})
+    place = without_password(engine.url)
+    with refusals_named(place), engine.connect() as connection:
+        entries = stream_entries(connection, course_id, place)
+        first = tuple(islice(entries, 1))
+        keys: tuple[bytes, ...] = ()
+        if first:
+            keys = read_keys(key_path(root))
+        else:
+            _refuse_other(connection, engine, root, course_id)
+        return shelved(chain(first, entries), course_id, keys, place)
+
+
+def _register_engine(root: Path, course_id: str) -> Engine | None:
+    """Open the database of a course, with what an earlier program kept; None where there is none.
+
+    Errors as for `read_register`.
+    """
+    if old_register_path(root).is_file():
+        _take_over(root, course_id)
+    place = home_of(root)
+    return open_engine(place) if exists(place) else None
 
 
 @dataclass(slots=True, eq=False)
@@ -79,7 +110,9 @@ class VerifiedRegister:
     root: Path
     course_id: str
     engine: Engine
-    _last: tuple[RegisterRows, tuple[bytes, ...], Register] | None = field(default=None, init=False)
+    _last: tuple[Sequence[RowOfTable], tuple[bytes, ...], Register] | None = field(
+        default=None, init=False
+    )
 
     def read(self) -> Register:
         """Return the register as it is now.
@@ -91,7 +124,7 @@ class VerifiedRegister:
         place = without_password(self.engine.url)
         with refusals_named(place), self.engine.connect() as connection:
             rows = fetch_rows(connection, self.course_id)
-        if not rows.issued:
+        if not rows:
             return read_register(self.root, self.course_id)
         keys, last = tuple(read_keys(key_path(self.root))), self._last
         if last is not None and last[:2] == (rows, keys):

@@ -121,6 +121,21 @@ class _Lying:
         start = self.starts[number]
         return self.held[number] if start == _HERE else self.shelf.read(start, self.sizes[number])
 
+    def __reduce__(
+        self,
+    ) -> "tuple[Callable[[array[int], bytes], _Lying], tuple[array[int], bytes]]":
+        # Another process has no part in the shelf: the bytes travel, and get one there.
+        every = [self.get(number) for number in range(len(self.starts))]
+        return _lying_there, (array("q", map(len, every)), b"".join(every))
+
+
+def _lying_there(sizes: "array[int]", whole: bytes) -> _Lying:
+    found, start = _Lying.of(Shelf(), len(sizes)), 0
+    for number, size in enumerate(sizes):
+        found.put(number, whole[start : start + size])
+        start += size
+    return found
+
 
 class Shelved(Sequence[_Value], Generic[_Value]):
     """Values on a shelf: each is loaded anew whenever somebody asks for it.

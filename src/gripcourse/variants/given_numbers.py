@@ -19,6 +19,22 @@ class GivenNumbers(Mapping[str, float]):
         self._places = places
         self._values = values
 
+    @classmethod
+    def of(cls, places: Mapping[str, int], packed: bytes) -> "GivenNumbers":
+        """Make it of the place of each number and of what `packed` returned."""
+        values = array("d")
+        values.frombytes(packed)
+        return cls(places, values)
+
+    @property
+    def places(self) -> Mapping[str, int]:
+        """The place of each number among the values."""
+        return self._places
+
+    def packed(self) -> bytes:
+        """Return the values alone, as bytes of this machine."""
+        return self._values.tobytes()
+
     def __getitem__(self, name: str) -> float:
         return self._values[self._places[name]]
 
@@ -44,13 +60,7 @@ class GivenNumbers(Mapping[str, float]):
         return dict(zip(self._places, self._values, strict=True))
 
     def __reduce__(self) -> tuple[object, ...]:
-        return _unpacked, (self._places, self._values.tobytes())
-
-
-def _unpacked(places: Mapping[str, int], packed: bytes) -> GivenNumbers:
-    values = array("d")
-    values.frombytes(packed)
-    return GivenNumbers(places, values)
+        return GivenNumbers.of, (self._places, self.packed())
 
 
 class SharedNames:

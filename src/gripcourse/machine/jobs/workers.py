@@ -7,7 +7,6 @@ and only the one that ends its worker again is lost. Where no worker can even st
 
 import pickle
 import uuid
-from collections import deque
 from collections.abc import Callable, Generator, Iterable, Iterator, Sequence
 from concurrent.futures import FIRST_COMPLETED, BrokenExecutor, Future, wait
 from dataclasses import dataclass, replace
@@ -30,8 +29,35 @@ Item = TypeVar("Item")
 Shared = TypeVar("Shared")
 Result = TypeVar("Result")
 
-_Waiting: TypeAlias = deque[tuple[int, Any]]
 _Done: TypeAlias = Iterator[tuple[int, Any]]
+
+
+@dataclass(slots=True)
+class _Waiting:
+    """Jobs that nobody has begun: each item is asked for when its turn comes, and not held here.
+
+    Attributes:
+        items: of all jobs.
+        numbers: of those that waited at first, in their order.
+        taken: how many of these do not wait any more.
+    """
+
+    items: Sequence[Any]
+    numbers: Sequence[int]
+    taken: int = 0
+
+    def __len__(self) -> int:
+        return len(self.numbers) - self.taken
+
+    def take(self) -> tuple[int, Any]:
+        """Take the next job: its number and its item."""
+        number = self.numbers[self.taken]
+        self.taken += 1
+        return number, self.items[number]
+
+    def left(self) -> Sequence[int]:
+        """Return the numbers of the jobs that still wait."""
+        return self.numbers[self.taken :]
 
 
 @dataclass(frozen=True, slots=True)
@@ -76,7 +102,7 @@ def run_each(  # noqa: PLR0913 (the last ones are what nearly everybody leaves a
 
     Args:
         work: does one job; with workers apart it must be found by its name in another process.
-        items: one for each job.
+        items: one for each job; asked for when its turn comes, and again where a worker dies.
         shared: what every job needs; it is sent to each worker once.
         workers: how many at most; 0 for none: here, one after the other, nothing bounded, for who
             may not start processes and trusts what it has.
@@ -140,7 +166,7 @@ def all_done(jobs: Iterable[tuple[int, Result | Lost]]) -> Iterator[tuple[int, R
 
 def _each(items: Sequence[Any], crew: _Crew, workers: int, stay: list[int]) -> _Done:
     """Do all jobs but those whose items cannot travel: their numbers are added to `stay`."""
-    waiting: _Waiting = deque(enumerate(items))
+    waiting = _Waiting(items, range(len(items)))
     while waiting:
         count = min(workers, len(waiting))
         # Who was taken along when a worker died may be the one that it died of.
@@ -149,10 +175,10 @@ def _each(items: Sequence[Any], crew: _Crew, workers: int, stay: list[int]) -> _
         )
         if suspects and not has_started and not _can_start(crew):
             lost = Lost("No worker could start; what it wrote to its error output says why.\n")
-            left = sorted((*suspects, *(number for number, _ in waiting)))
+            left = sorted((*suspects, *waiting.left()))
             yield from ((number, lost) for number in left)
             return
-        alone: _Waiting = deque((number, items[number]) for number in sorted(suspects))
+        alone = _Waiting(items, sorted(suspects))
         while alone:
             single = replace(crew, together=1)
             lost_alone, _ = yield from _until_worker_dies(alone, single, 1, 1, stay)
@@ -162,7 +188,7 @@ def _each(items: Sequence[Any], crew: _Crew, workers: int, stay: list[int]) -> _
 def _until_worker_dies(
     waiting: _Waiting, crew: _Crew, workers: int, ahead: int, stay: list[int]
 ) -> Generator[tuple[int, Any], None, tuple[list[int], bool]]:
-    """Do jobs from the left of `waiting`, until none is left or a worker dies.
+    """Do jobs that wait, until none is left or a worker dies.
 
     Yields:
         The number of each job that was done, with what it came to.
@@ -218,7 +244,7 @@ class _Message:
 
 
 def _next_message(waiting: _Waiting, crew: _Crew, ahead: int, stay: list[int]) -> _Message:
-    """Take jobs from the left of `waiting`: the fewer are left, the fewer go together.
+    """Take jobs that wait: the fewer are left, the fewer go together.
 
     So no worker has much to do when the others have nothing any more.
     """
@@ -226,7 +252,7 @@ def _next_message(waiting: _Waiting, crew: _Crew, ahead: int, stay: list[int]) -
     found: dict[int, Any] = {}
     size = 0
     while waiting and len(found) < most and size < _MESSAGE:
-        number, item = waiting.popleft()
+        number, item = waiting.take()
         try:
             sent = crew.send(item)
         except OSError:

@@ -6,10 +6,12 @@ them differs, the batch is graded, and what is known of single files is taken ov
 """
 
 import json
+import os
 from collections.abc import Iterable, Sequence
 from contextlib import suppress
 from dataclasses import asdict, dataclass
 from datetime import UTC, datetime
+from itertools import chain
 from pathlib import Path
 from typing import Final
 
@@ -127,12 +129,12 @@ def beginning(asked: GradingAsked) -> Beginning:
         OSError: a file of the course cannot be read.
     """
     people = (deadlines_path, key_path, old_register_path)
-    around = [
-        repr((asked.place, asked.options, asked.found.passed_over)),
-        *map(_named_with_time, asked.found.files),
-        *(digest_of_content(path_of(asked.root)) for path_of in people),
-        *map(str, sorted((asked.root / "private").glob("declarations/*.zip"))),
-    ]
+    around = chain(
+        [repr((asked.place, asked.options, asked.found.passed_over))],
+        map(_named_with_time, asked.found.files),
+        (digest_of_content(path_of(asked.root)) for path_of in people),
+        map(str, sorted((asked.root / "private").glob("declarations/*.zip"))),
+    )
     now = datetime.now(UTC)
     return Beginning(asked, versions_of(asked.root), digest_of_texts(around), _states(asked, now))
 
@@ -154,11 +156,20 @@ def _digests(asked: GradingAsked) -> Iterable[str]:
 
 def _results(out: Path) -> str:
     """Digest all files of the results: those of the folder itself and the students' reports."""
-    files = sorted(
-        one for folder in (out, out / _REPORTS) for one in folder.glob("*") if one.is_file()
+    # Names alone: a path of each of ten thousand reports takes ten times the room.
+    told = (
+        repr((str(folder.relative_to(out)), name, digest_of_content(folder / name)))
+        for folder in (out, out / _REPORTS)
+        for name in _files_in(folder)
     )
-    told = (repr((str(one.relative_to(out)), digest_of_content(one))) for one in files)
     return digest_of_texts(told)
+
+
+def _files_in(folder: Path) -> Sequence[str]:
+    if not folder.is_dir():
+        return ()
+    with os.scandir(folder) as found:
+        return sorted(one.name for one in found if one.is_file())
 
 
 def _said_path(out: Path) -> Path:

@@ -4,7 +4,7 @@ import json
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import partial
-from itertools import repeat
+from itertools import chain, repeat
 from pathlib import Path
 
 from gripcourse.batch.one_file import GradingContext
@@ -20,7 +20,8 @@ from gripcourse.policy.scales import Scale
 from gripcourse.text.words import Words
 from gripcourse.usecases.grading.collect import REASONS, PassedOver
 from gripcourse.usecases.grading.lines_before import LinesBefore, Piece, TableLine, all_made
-from gripcourse.usecases.grading.unchanged import PrintedBefore, told_of
+from gripcourse.usecases.grading.unchanged import PrintedBefore
+from gripcourse.usecases.grading.versions import digest_of_texts
 from gripcourse.variants.model import Student
 
 GRADES_JSON = "grades.json"
@@ -41,9 +42,9 @@ def renew_tables(
     if printed is None:
         write_tables(reports, context, out, passed_over)
         return
-    students = [issued.student for issued in context.register.values()]
+    students = (repr(issued.student) for issued in context.register.values())
     digests = [digest_of_report(one) for one in reports]
-    made_from = told_of((*digests, repr(students), repr(passed_over)))
+    made_from = digest_of_texts(chain(digests, [repr(passed_over)], students))
     if all(printed.stands(one, made_from) for one in tables):
         return
     lines = printed.lines_of(out / GRADES_JSON)

@@ -10,6 +10,7 @@ import shutil
 from collections.abc import Iterable
 from dataclasses import dataclass
 from datetime import date
+from itertools import chain
 from pathlib import Path
 from typing import Final
 
@@ -128,10 +129,16 @@ def open_earlier(
         return None
     make_private_folder(folder)
     pattern = context.pattern and context.pattern.expression.pattern
-    people = sorted(context.register.items()), sorted(context.earlier.items())
     judged_by = context.either_version, sorted(context.either_for), sorted(context.declared)
     office = (office_identity(context.office), context.recalculate) if workers else None
-    results = folder / digest_of_texts([versions, *map(repr, (people, judged_by, pattern, office))])
+    decides = (versions, *map(repr, (judged_by, pattern, office)))
+    # One person after the other: all of them in one text are larger than anything else here.
+    people = (
+        repr((name, issued[name]))
+        for issued in (context.register, context.earlier)
+        for name in sorted(issued)
+    )
+    results = folder / digest_of_texts(chain(decides, people))
     for old in folder.iterdir():
         if old not in {results, folder / _PRINTED}:
             shutil.rmtree(old, ignore_errors=True)

@@ -9,7 +9,7 @@ their own fingerprint: what has another one is not used.
 import io
 import tempfile
 import zipfile
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
 from pathlib import Path
 from typing import Final
@@ -19,8 +19,8 @@ from gripcourse.course.load import load_course
 from gripcourse.course.model import Course
 from gripcourse.errors import CourseError
 from gripcourse.gradebook.fingerprint import declaring_files, fingerprints
-from gripcourse.issuing.register import Register
 from gripcourse.machine.files import make_private_folder, write_bytes
+from gripcourse.variants.model import Issued
 
 FOLDER: Final = "declarations"
 _EARLIEST: Final = (1980, 1, 1, 0, 0, 0)  # of a zip: when it was made says nothing
@@ -46,12 +46,15 @@ def keep_declarations(root: Path) -> str:
     return fingerprint
 
 
-def kept_declarations(root: Path, register: Register) -> dict[str, Course]:
+def kept_declarations(
+    root: Path, last: Mapping[str, Issued], earlier: Iterable[Issued]
+) -> dict[str, Course]:
     """Load the declarations that works on corrected versions are judged by.
 
     Args:
         root: folder of the course.
-        register: of all versions.
+        last: by student id, the versions that count.
+        earlier: all versions that these replaced.
 
     Returns:
         By fingerprint; without those that were not kept, or that this program cannot use any more.
@@ -59,14 +62,13 @@ def kept_declarations(root: Path, register: Register) -> dict[str, Course]:
     Raises:
         OSError: a file cannot be read.
     """
-    found = {name: _loaded(root, name) for name in sorted(set(_superseded(register)))}
+    found = {name: _loaded(root, name) for name in sorted(set(_superseded(last, earlier)))}
     return {name: course for name, course in found.items() if course is not None}
 
 
-def _superseded(register: Register) -> Iterator[str]:
+def _superseded(last: Mapping[str, Issued], earlier: Iterable[Issued]) -> Iterator[str]:
     """Yield the fingerprint of each version that another one by other declarations replaced."""
-    last = register.by_student()
-    for one in register.earlier:
+    for one in earlier:
         if one.declarations and one.declarations != last[one.student.id].declarations:
             yield one.declarations
 

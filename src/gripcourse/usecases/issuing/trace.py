@@ -86,9 +86,8 @@ def in_register(root: Path, course: Course) -> Sought:
         what = message("Nothing was issued from this course.")
         remedy = message("Name another folder, or a table of variants.")
         raise UsageError([Problem(str(root), "", what, remedy, step=NextStep.NAME_TABLE)])
-    return among_issued(
-        register, kept_declarations(root, register), fingerprints(course.root).course
-    )
+    kept = kept_declarations(root, register.by_student(), register.earlier)
+    return among_issued(register, kept, fingerprints(course.root).course)
 
 
 def among_issued(register: Register, states: Mapping[str, Course], today: str) -> Sought:

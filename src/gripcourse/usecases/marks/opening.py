@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from itertools import chain
 from pathlib import Path
 
 from gripcourse.batch.one_file import GradingContext
@@ -11,7 +12,7 @@ from gripcourse.course.read import course_id
 from gripcourse.errors import NextStep, Problem, UsageError
 from gripcourse.gradebook.deadlines import course_deadlines
 from gripcourse.grading.path_pattern import path_pattern
-from gripcourse.issuing.store import read_register
+from gripcourse.issuing.store import read_register, shelve_register
 from gripcourse.machine.content import Readable
 from gripcourse.machine.office import office_command
 from gripcourse.policy.load import load_policy
@@ -53,16 +54,15 @@ def grading_of(course: Course, policy: Policy) -> GradingContext:
     Raises:
         RegisterError: the register cannot be used.
     """
-    register = read_register(course.root, course.id)
-    versions = register.versions() if register.earlier else {}
-    earlier = {student: all_[:-1] for student, all_ in versions.items() if all_[1:]}
+    register = shelve_register(course.root, course.id)
+    last, earlier = register.last, register.earlier
     return GradingContext(
         course,
         policy,
-        register.by_student(),
+        last,
         office=office_command(),
         earlier=earlier,
-        declared=kept_declarations(course.root, register),
+        declared=kept_declarations(course.root, last, chain.from_iterable(earlier.values())),
     )
 
 
