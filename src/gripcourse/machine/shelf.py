@@ -10,7 +10,7 @@ import pickle
 import tempfile
 import weakref
 from array import array
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from threading import Lock
 from typing import IO, Any, Final, Generic, TypeVar, overload
@@ -239,3 +239,25 @@ class Viewed(Sequence[_Value], Generic[_Value]):
         return isinstance(other, Sequence) and tuple(self) == tuple(other)
 
     __hash__ = None  # type: ignore[assignment] # as of any sequence whose values may have none
+
+
+class ViewedMapping(Mapping[str, _Value], Generic[_Value]):
+    """What follows from each value of a large mapping, made anew whenever somebody asks for it."""
+
+    __slots__ = ("_made", "_values")
+
+    def __init__(self, values: Mapping[str, _Of], made: Callable[[_Of], _Value]) -> None:
+        """Look at values through a function of each."""
+        self._values, self._made = values, made
+
+    def __len__(self) -> int:
+        return len(self._values)
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._values)
+
+    def __contains__(self, name: object) -> bool:
+        return name in self._values
+
+    def __getitem__(self, name: str) -> _Value:
+        return self._made(self._values[name])
