@@ -18,7 +18,7 @@ from gripcourse.grading.path_pattern import PathPattern
 from gripcourse.grading.platforms import PlatformPart, platform_part
 from gripcourse.submission.model import Identity
 from gripcourse.text.words import Message, message
-from gripcourse.variants.model import Issued
+from gripcourse.variants.model import Issued, names_of
 
 _NONE_EARLIER: Mapping[str, Sequence[Issued]] = MappingProxyType({})
 
@@ -109,8 +109,8 @@ def _of_pattern(part: PlatformPart, register: Mapping[str, Issued]) -> Issued | 
     """Return whom an instructor's own pattern names; a name only where one student has it."""
     if part.identifier:
         return register.get(part.identifier)
-    named = [one for one in register.values() if part.is_named(one.student.name)]
-    return named[0] if len(named) == 1 else None
+    named = [student for student, name in names_of(register) if part.is_named(name)]
+    return register[named[0]] if len(named) == 1 else None
 
 
 def _of_platform(part: PlatformPart, register: Mapping[str, Issued]) -> Issued | None:
@@ -140,8 +140,7 @@ def _other_by_name(part: PlatformPart, entry: Issued, register: Mapping[str, Iss
     """Return the id of another student whose name a path bears; empty where it is this one's."""
     if part.is_named(entry.student.name):
         return ""
-    others = (one.student.id for one in register.values() if part.is_named(one.student.name))
-    return next(others, "")
+    return next((student for student, name in names_of(register) if part.is_named(name)), "")
 
 
 def _doubtful(said: Message) -> HandedIn:

@@ -6,9 +6,9 @@ common, as options and the names of given numbers, is held once and lies on no s
 
 from array import array
 from collections.abc import Callable, Hashable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
-from itertools import chain
-from typing import Any, Generic, TypeAlias, TypeVar
+from dataclasses import dataclass, field
+from itertools import chain, islice
+from typing import Any, Final, Generic, TypeAlias, TypeVar
 
 from gripcourse.issuing.register import is_unchanged, refuse_changed
 from gripcourse.machine.shelf import Shelved
@@ -18,6 +18,8 @@ from gripcourse.variants.model import Issued, Student, Variant
 _Value = TypeVar("_Value")
 _Place = TypeVar("_Place")
 _Record: TypeAlias = tuple[tuple[Any, ...], tuple[int, ...]]
+
+_PORTION: Final = 500  # names that are loaded at once
 
 
 @dataclass(frozen=True, slots=True)
@@ -74,9 +76,7 @@ def shelved(
         for student, mine in before.items()
     }
     earlier = {student: tuple(mine[:-1]) for student, mine in oldest_first.items()}
-    return ShelvedRegister(
-        course_id, _Loading(numbers, rows.entry), _Loading(earlier, rows.entries)
-    )
+    return ShelvedRegister(course_id, _Last(numbers, rows.entry), _Loading(earlier, rows.entries))
 
 
 @dataclass(frozen=True, slots=True, eq=False, repr=False)
@@ -112,6 +112,25 @@ class _Loading(Mapping[str, _Value], Generic[_Value, _Place]):
 
     def __repr__(self) -> str:
         return f"<what was issued to {len(self)} students>"
+
+
+@dataclass(frozen=True, slots=True, eq=False, repr=False)
+class _Last(_Loading[Issued, int]):
+    """The versions that count.
+
+    Attributes:
+        called: ids and names in portions, once anybody asked for them: of who is looked for by name
+            every file of a batch may ask for all.
+    """
+
+    called: list[Sequence[tuple[tuple[str, str], ...]]] = field(default_factory=list)
+
+    def names(self) -> Iterator[tuple[str, str]]:
+        """Yield the id and the name of each student."""
+        if not self.called:
+            pairs = ((student, issued.student.name) for student, issued in self.items())
+            self.called.append(Shelved(iter(lambda: tuple(islice(pairs, _PORTION)), ())))
+        return chain.from_iterable(self.called[0])
 
 
 @dataclass(frozen=True, slots=True)
