@@ -157,8 +157,8 @@ def _with_slip(comparison: Comparison, judgement: Judgement, explanation: Explan
 
 def _said(comparison: Comparison, explanation: Explanation) -> Message:
     hint = explanation.likeliest.candidate.hint
-    for other in explanation.tied:
-        if other.of != comparison.quantity.id:
+    match explanation.tied:
+        case (other, *_) if other.of != comparison.quantity.id:
             return message(
                 "One of two known slips. {hint} Or, in a step that you left blank, {title}: "
                 "{other}",
@@ -166,9 +166,17 @@ def _said(comparison: Comparison, explanation: Explanation) -> Message:
                 title=comparison.plan.quantities[other.of].short_title,
                 other=other.candidate.hint,
             )
-        return message(
-            "One of two known slips. {hint} Or: {other}", hint=hint, other=other.candidate.hint
-        )
+        case (other, third) if third.of == comparison.quantity.id:
+            return message(
+                "One of three known slips. {hint} Or: {other} Or: {third}",
+                hint=hint,
+                other=other.candidate.hint,
+                third=third.candidate.hint,
+            )
+        case (other, *_):
+            return message(
+                "One of two known slips. {hint} Or: {other}", hint=hint, other=other.candidate.hint
+            )
     return message("A known slip: {hint}", hint=hint)
 
 

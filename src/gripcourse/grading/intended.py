@@ -250,7 +250,8 @@ def _may_be_better(judged: JudgedAnswer) -> bool:
 
 def _rests_on_earlier(judged: JudgedAnswer) -> bool:
     """Tell whether the student's earlier numbers have a part in the conclusion."""
-    return judged.judgement.outcome.traits.mistake or judged.judgement.outcome.traits.follows
+    traits = judged.judgement.outcome.traits
+    return traits.mistake or traits.follows or traits.coarse
 
 
 def _worth(judged: JudgedAnswer) -> tuple[float, bool]:
