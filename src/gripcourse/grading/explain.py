@@ -275,7 +275,7 @@ def _through_an_input(comparison: Comparison, group: Sequence[Weighed]) -> Itera
     """
     for one in group:
         if one.candidate.kind == SlipKind.INPUT_UNIT:
-            times = float(one.candidate.id.detail.partition(",")[2])
+            times = float(one.candidate.id.detail.split(",")[1])
             if not math.isclose(one.value, times * comparison.expected, rel_tol=_SHORTEST):
                 yield one
 
