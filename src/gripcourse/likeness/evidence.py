@@ -136,8 +136,7 @@ def taken_from_issued(
     row, owner = np.divmod(pairs, len(pooled.issued.owners))
     other = owner != pooled.own[row]
     each = np.stack([log_odds(one, pairs[other], answers) for one in compared])
-    # Nobody knows beforehand whether numbers were moved: both count alike.
-    logs = np.logaddexp.reduce(each) - math.log(len(compared))
+    logs = _of_all(each)
     told = logs >= least
     return TakenNumbers(compared, row[other][told], owner[other][told], each[:, told], logs[told])
 
@@ -189,22 +188,34 @@ def same_answers(
     """Yield for each submission those in which the same numbers were typed beyond chance."""
     pooled = part.pooled
     least, answers = _least(pooled, rule), max(rule.answers, 1)
-    found = same_as_typed(part.numbers, ~part.explained, typed)
-    chance = chance_of(part, found, chances)
-    compared = PairMatches(part, found, chance, methods)
-    pairs = likely_pairs(compared, least, answers)
+    wrong = ~part.explained
+    found = [same_as_typed(part.numbers, wrong, typed, moved) for moved in chances.typed]
+    compared = [PairMatches(part, one, chance_of(part, one, chances), methods) for one in found]
+    likely = [likely_pairs(one, least, answers) for one in compared]
+    pairs = np.unique(np.concatenate(likely))
     row, other = np.divmod(pairs, len(pooled.students))
     pairs = pairs[pooled.own[row] != pooled.own[other]]
-    logs = log_odds(compared, pairs, answers)
-    pairs, logs = pairs[logs >= least], logs[logs >= least]
+    each = np.stack([log_odds(one, pairs, answers) for one in compared])
+    logs = _of_all(each)
+    pairs, each, logs = pairs[logs >= least], each[:, logs >= least], logs[logs >= least]
     row, other = np.divmod(pairs, len(pooled.students))
     for one in np.unique(row):
         mine = np.flatnonzero(row == one)
         strongest = mine[np.argsort(-logs[mine], kind="stable")]
         others = dict.fromkeys(pooled.students[place] for place in other[strongest])
-        names = rests_on(compared, int(pairs[strongest[0]]))
-        odds = _odds(pooled, float(logs[strongest[0]]))
+        best = int(strongest[0])
+        nearest = compared[int(np.argmax(each[:, best]))]
+        names = rests_on(nearest, int(pairs[best]))
+        odds = _odds(pooled, float(logs[best]))
         yield Evidence(NumberKind.SAME_ANSWERS, (pooled.students[one], *others), odds, names)
+
+
+def _of_all(each: Floats) -> Floats:
+    """Return logarithms of odds over all comparisons, from those of each.
+
+    Nobody knows beforehand whether numbers were moved: all comparisons count alike.
+    """
+    return np.asarray(np.logaddexp.reduce(each) - math.log(len(each)))
 
 
 def same_creators(works: Sequence[ComparedWork], rule: LikenessRule) -> Iterator[Evidence]:

@@ -126,22 +126,26 @@ def same_as_issued(
         numbers: what was typed.
         which: (numbers,); whether each is looked for.
         issued: the right ones.
-        moved: relative; how far a taken number may be from the right one, where that is more than
-            one unit of its last digit.
+        moved: relative; how far a taken number may be from the right one before it is typed, where
+            that is more than one unit of its last digit.
     """
-    reach = np.maximum(numbers.unit, moved * np.abs(numbers.value))
+    reach = np.maximum(numbers.unit, moved * np.abs(numbers.value) + numbers.unit / 2)
     return _matches(numbers, which, issued, reach * (1 + _SAME), 1)
 
 
-def same_as_typed(numbers: ComparedNumbers, which: Flags, typed: OrderedValues) -> Matches:
+def same_as_typed(
+    numbers: ComparedNumbers, which: Flags, typed: OrderedValues, moved: float = 0.0
+) -> Matches:
     """Find the submissions in which the same was typed, but for rounding; its own is among them.
 
     Args:
         numbers: what was typed.
         which: (numbers,); whether each is looked for.
         typed: in all submissions.
+        moved: relative; how far a taken number may be from what the other typed.
     """
     reach = np.maximum(numbers.unit / 2, _SAME * np.abs(numbers.value))
+    reach += moved * np.abs(numbers.value)
     return _matches(numbers, which, typed, reach * (1 + _SAME), 2)  # the pair itself
 
 
