@@ -60,6 +60,20 @@ class TestSharedBlankStep:
         assert "shaft_force" in flat_belt.lost({**radians, "shaft_force": wrong})
 
 
+def test_another_unit_in_a_blank_step_is_told_by_the_answers_that_use_it(
+    flat_belt: "Case", typed: "Typed"
+) -> None:
+    """The length of the belt was not written down, and its metres were taken for millimetres."""
+    names = ("run_frequency", "take_up")
+    metres = flat_belt.following(belt_length=flat_belt.reference["belt_length"] / 1000)
+    off = {name: typed(name, metres[name], 5) for name in names}
+    findings = flat_belt.findings({**flat_belt.answers, "belt_length": None, **off})
+    for name in names:
+        assert findings[name].points == findings[name].max_points
+        assert findings[name].roots == ("belt_length",)
+        assert str(findings[name].slip) == "unit:m"
+
+
 def test_what_was_not_written_was_not_written_in_another_unit(
     flat_belt: "Case", typed: "Typed"
 ) -> None:

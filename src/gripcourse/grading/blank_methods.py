@@ -6,7 +6,6 @@ from dataclasses import dataclass
 from gripcourse.course.quantity import Kind
 from gripcourse.formula.evaluate import evaluate_number
 from gripcourse.grading.submission_case import GradingCase
-from gripcourse.policy.slips import OF_WRITING
 from gripcourse.slips.model import Candidate
 
 
@@ -22,8 +21,6 @@ class BlankMethod:
 def methods_in_blank(case: GradingCase, name: str) -> list[BlankMethod]:
     """Return what may have been done wrongly in a step; none where the student has a number of it.
 
-    Nothing was written there, so that nothing was written in another unit.
-
     Args:
         case: the submission.
         name: id of the step.
@@ -31,7 +28,7 @@ def methods_in_blank(case: GradingCase, name: str) -> list[BlankMethod]:
     quantity, own = case.plan.quantities[name], case.follow_through
     if name in own.known or quantity.kind not in {Kind.FORMULA, Kind.PICK}:
         return []
-    candidates = [one for one in case.candidates_of(name) if one.kind not in OF_WRITING]
+    candidates = case.candidates_of(name)
     total = case.policy.slips.unexplained + sum(one.prior for one in candidates)
     found = [BlankMethod(one, _value(case, name, one), one.prior / total) for one in candidates]
     return [one for one in found if math.isfinite(one.value)]
