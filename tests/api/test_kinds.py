@@ -150,3 +150,11 @@ def test_what_json_does_not_have_is_read_from_no_plain_form(
 ) -> None:
     plain = reference.grade([b"?"]).reports[0].to_dict() | {"score": score}
     assert "A number is wanted" in str(refusal(lambda: gc.read_result(plain)).what)
+
+
+def test_one_text_is_one_number_and_not_its_digits(reference: gc.Course) -> None:
+    one, listed = (
+        gc.trace(reference, given, table=reference.main_table) for given in ("60", ["60"])
+    )
+    assert {match.text for origin in one.origins for match in origin.matches} == {"60"}
+    assert one.origins == listed.origins

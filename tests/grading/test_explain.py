@@ -138,6 +138,29 @@ class TestCertainty:
         assert {str(one) for one in (found.slip, *found.tied)} == {"one_jaw_only", "twin"}
         assert "Or:" in str(found.message)
 
+    def test_of_methods_that_a_number_does_not_tell_apart_all_are_named_that_it_takes(
+        self, hydraulic: "Case", typed: "Typed"
+    ) -> None:
+        """Each of three would be certain without the others, and together they are."""
+        quantity = hydraulic.plan.quantities["grip_force"]
+        right = quantity.formula
+        assert right is not None
+        texts = {
+            name: f"{by}*({right.text})" for name, by in (("a", 3), ("b", 3.0001), ("c", 2.9999))
+        }
+        alike = tuple(
+            replace(quantity.slips[0], id=name, formula=Formula(text, parse(text), {}))
+            for name, text in texts.items()
+        )
+        for count, named in ((1, 1), (2, 2), (3, 3)):
+            changed = replace(quantity, slips=alike[:count])
+            quantities = {**hydraulic.plan.quantities, "grip_force": changed}
+            case = replace(hydraulic, plan=replace(hydraulic.plan, quantities=quantities))
+            wrong = typed("grip_force", 3 * hydraulic.reference["grip_force"], 3)
+            found = finding(case, "grip_force", wrong)
+            assert len({found.slip, *found.tied}) == named
+            assert str(found.message).count("Or:") == named - 1
+
     def test_a_unit_that_comes_of_an_input_in_another_one_is_named_with_the_input(
         self, hydraulic: "Case", typed: "Typed"
     ) -> None:

@@ -5,6 +5,8 @@ from collections.abc import Callable
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
+import pytest
+
 from gripcourse.course.quantity import Kind
 from gripcourse.submission.model import Answer
 
@@ -144,3 +146,20 @@ def test_after_a_mistake_two_cells_are_exchanged_by_ones_own_numbers(
         if tried > 2:
             return
     assert tried
+
+
+@pytest.mark.parametrize(
+    "cells", [("torque_large", "driven_speed"), ("belt_speed", "peripheral_force")]
+)
+def test_what_follows_from_exchanged_numbers_as_they_were_meant_is_no_mistake(
+    flat_belt: "Case", cells: tuple[str, str]
+) -> None:
+    """After a wrong torque; P/v of a force typed for the speed is the very speed."""
+    first, second = cells
+    later = flat_belt.following(torque_small=1.31 * flat_belt.reference["torque_small"])
+    answers = {**later, first: later[second], second: later[first]}
+    lost = flat_belt.lost(answers)
+    assert "torque_small" in lost
+    assert len(lost) == 2, lost
+    said = [str(one.message) for one in flat_belt.findings(answers).values()]
+    assert any("are exchanged" in one for one in said)

@@ -103,3 +103,23 @@ def test_a_neighbours_consistent_numbers_earn_next_to_nothing(table: "tuple[Case
             shares.append(report.score / (report.max_score - report.open_points))
     assert len(shares) == WORKS
     assert sum(shares) / WORKS <= 0.05
+
+
+def test_what_follows_from_a_number_of_somebody_else_is_not_computed_from_ones_own(
+    flat_belt: "Case",
+) -> None:
+    """Ten of fourteen issued numbers are another's; what uses one of them follows from that one."""
+    theirs = {
+        "motor_speed": 1420.0,
+        "ratio_wanted": 2.0,
+        "slip_ratio": 0.012,
+        "centre_distance": 1350.0,
+        "ply_count": 5.0,
+        "preload_stress": 1.6,
+        "inclination": 70.0,
+        "duty_factor": 0.8,
+        "friction": 0.44,
+        "shaft_stress_allowed": 75.0,
+    }
+    report = flat_belt.judge(flat_belt.following(**theirs))
+    assert report.score <= 0.2 * report.max_score

@@ -108,6 +108,25 @@ def test_what_follows_from_an_own_wrong_number_is_explained(
     assert {name for name, one in found.items() if not one.explained} == {start}
 
 
+def test_what_is_off_further_than_rounding_leaves_it_does_not_follow(
+    grade: Grade, plan: Plan, pair: tuple[Issued, Issued]
+) -> None:
+    """Numbers that somebody moved to hide where they come from may lie in the bands too."""
+    right = solve_variant(plan, pair[0].variant.given)
+    start = next(
+        one.id
+        for one in plan.answered
+        if sum(one.id in plan.inputs[other.id] for other in plan.answered) > 1
+    )
+    own = solve_variant(plan, {**pair[0].variant.given, start: 1.7 * right[start]})
+    user = next(one.id for one in plan.answered if start in plan.inputs[one.id])
+    for off, explained in ((1.001, True), (1.006, False)):
+        report = grade({**own, user: off * own[user]})
+        [judged] = [one for one in report.findings if one.quantity == user]
+        assert judged.outcome is Outcome.CARRIED
+        assert numbers(report, pair)[user].explained is explained
+
+
 def test_answers_of_another_variant_are_not_explained_and_are_told(
     grade: Grade, plan: Plan, course: Course, pair: tuple[Issued, Issued]
 ) -> None:

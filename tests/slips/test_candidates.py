@@ -108,6 +108,24 @@ class TestGenericSlips:
                 0.3,
             ),
             (
+                "diameter_max*diameter_max + diameter_max",
+                "radius_for_diameter:diameter_max,0.5,13",
+                {"diameter_max": 0.2},
+                0.22,
+            ),
+            (
+                "grip_force*(diameter_max + diameter_min)",
+                "radius_for_diameter:all,0.5",
+                {"grip_force": 3, "diameter_max": 0.2, "diameter_min": 0.1},
+                0.45,
+            ),
+            (
+                "pitch_radius*asin(friction)",
+                "angle_unit:outside",
+                {"pitch_radius": 2, "friction": 0.5},
+                60,
+            ),
+            (
                 "grip_force*diameter_max",
                 "wrong_end:diameter_max",
                 {"grip_force": 3, "diameter_min": 0.1},
@@ -204,6 +222,12 @@ class TestGenericSlips:
                 {"mass": 2, "diameter_max": 0.2},
                 400,
             ),
+            (
+                "mass*diameter_max + diameter_max",
+                "input_unit:diameter_max,1000,20",
+                {"mass": 2, "diameter_max": 0.2},
+                200.4,
+            ),
         ],
     )
     def test_each_kind_makes_its_mistake(
@@ -217,6 +241,23 @@ class TestGenericSlips:
         found = slips_of(formula)
         assert SlipId.parse(slip) in found, sorted(found)
         assert value(found[SlipId.parse(slip)], **values) == pytest.approx(wrong)
+
+    @pytest.mark.parametrize(
+        ("slip", "wrong"),
+        [("angle_unit:given", 180 - 2 * np.arcsin(0.5)), ("ratio_for_angle:7,deg", 179)],
+    )
+    def test_an_angle_that_comes_out_in_radians_is_taken_for_degrees(
+        self, slips_of: Slips, slip: str, wrong: float
+    ) -> None:
+        """180° less twice 30°, on a calculator in radians: 180 − 2·0.5236."""
+        found = slips_of("pi - 2*asin(friction)", "arm_angle_open")[SlipId.parse(slip)]
+        assert np.degrees(value(found, friction=0.5)) == pytest.approx(wrong)
+
+    def test_a_calculator_in_radians_takes_and_gives_them(self, slips_of: Slips) -> None:
+        """The tangent of 20 is taken for that of 20°, and its angle read as degrees."""
+        found = slips_of("atan(2*tan(arm_angle_open))", "arm_angle_at_min")
+        wrong = value(found[SlipId.parse("angle_unit:mode")], arm_angle_open=np.radians(20))
+        assert np.degrees(wrong) == pytest.approx(np.arctan(2 * np.tan(20)))
 
     def test_a_table_may_be_read_in_another_row(self, plan: Plan, policy: Policy) -> None:
         found = candidates_of(plan, "flange_bolt_circle", policy.slips)

@@ -64,7 +64,7 @@ def enter_marks(course: Course, table: FileLike, gradebook: str | Path, marker: 
 @refusals_said
 def trace(
     course: Course,
-    numbers: Iterable[str],
+    numbers: str | Iterable[str],
     quantities: Mapping[str, str] | None = None,
     table: FileLike | None = None,
 ) -> "Traced":
@@ -72,7 +72,7 @@ def trace(
 
     Args:
         course: whose register is searched.
-        numbers: as people type them, of unknown meaning.
+        numbers: as people type them, of unknown meaning; one text is one number.
         quantities: numbers whose meaning is known, by id.
         table: searched instead of the register; None for the register.
 
@@ -87,6 +87,5 @@ def trace(
         else tracing.in_table(course.table_source(table), course.definition)
     )
     named = [(name, a_text("quantities", one)) for name, one in (quantities or {}).items()]
-    return tracing.trace(
-        [a_text("numbers", one) for one in numbers], named, course.definition, sought
-    )
+    texts = [numbers] if isinstance(numbers, str) else [a_text("numbers", one) for one in numbers]
+    return tracing.trace(texts, named, course.definition, sought)

@@ -58,9 +58,11 @@ def ways_through(plan: Plan, policy: Policy, steps: Sequence[Quantity]) -> Itera
 
 
 def _readings(policy: Policy, blank: Sequence[Quantity]) -> Iterator[Mapping[str, Formula]]:
-    """Yield one step after the other read otherwise, then all as the sources print them."""
+    """Yield one step after the other by its other route or reading, then all as printed."""
     printed: dict[str, Formula] = {}
     for step in blank:
+        if step.route is not None:
+            yield {step.id: step.route}
         for alternative in step.alternatives:
             yield {step.id: alternative.formula}
         for one in step.as_printed if policy.printed_credit is not None else ():

@@ -105,6 +105,8 @@ def causes_of(
                 explained[root].append(finding.quantity)
     causes = []
     for one in substituted:
+        if one.is_slip:
+            continue  # its answers have the blank step as their root
         # What follows from the first answer that the number spoiled follows from the number too.
         further = explained.pop(one.explains[0], [])
         names = sorted({*one.explains, *further}, key=lambda name: order[name])

@@ -9,7 +9,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from gripcourse.course.quantity import Kind
+from gripcourse.course.quantity import Kind, Quantity
 from gripcourse.formula.evaluate import evaluate as evaluate_formula
 from gripcourse.grading.choices import same_size, sound_sizes
 from gripcourse.grading.comparison import Comparison, ExpectedRange, Judgement
@@ -24,14 +24,12 @@ from gripcourse.grading.explain import (
 )
 from gripcourse.grading.model import Against, Outcome
 from gripcourse.grading.other_cell import is_number_of, weigh_other_cell
-from gripcourse.grading.unwritten import carried_here, unwritten_before
+from gripcourse.grading.unwritten import UNWRITTEN, carried_here, unwritten_before
+from gripcourse.policy.slips import OF_WRITING
 from gripcourse.slips.model import Candidate
 from gripcourse.solver.sizes import choose
 from gripcourse.text.units import factor
 from gripcourse.text.words import Message, message
-
-# A step in the head is left out less often than it is written down.
-_UNWRITTEN = 0.5
 
 CandidatesOf = Callable[[str], tuple[Candidate, ...]]
 """The wrong methods of a quantity, by its id."""
@@ -157,8 +155,8 @@ def _with_slip(comparison: Comparison, judgement: Judgement, explanation: Explan
 
 def _said(comparison: Comparison, explanation: Explanation) -> Message:
     hint = explanation.likeliest.candidate.hint
-    for other in explanation.tied:
-        if other.of != comparison.quantity.id:
+    match explanation.tied:
+        case (other, *_) if other.of != comparison.quantity.id:
             return message(
                 "One of two known slips. {hint} Or, in a step that you left blank, {title}: "
                 "{other}",
@@ -166,28 +164,50 @@ def _said(comparison: Comparison, explanation: Explanation) -> Message:
                 title=comparison.plan.quantities[other.of].short_title,
                 other=other.candidate.hint,
             )
-        return message(
-            "One of two known slips. {hint} Or: {other}", hint=hint, other=other.candidate.hint
-        )
+        case (other, third) if third.of == comparison.quantity.id:
+            return message(
+                "One of three known slips. {hint} Or: {other} Or: {third}",
+                hint=hint,
+                other=other.candidate.hint,
+                third=third.candidate.hint,
+            )
+        case (other, *_):
+            return message(
+                "One of two known slips. {hint} Or: {other}", hint=hint, other=other.candidate.hint
+            )
     return message("A known slip: {hint}", hint=hint)
 
 
 def _said_of_earlier(comparison: Comparison, explanation: Explanation) -> Message:
-    title = comparison.plan.quantities[explanation.likeliest.of].short_title
-    hint = explanation.likeliest.candidate.hint
-    for other in explanation.tied:
+    quantities = comparison.plan.quantities
+    methods = (explanation.likeliest, *explanation.tied)
+    return said_of_blank([(quantities[one.of], one.candidate) for one in methods])
+
+
+def said_of_blank(methods: Sequence[tuple[Quantity, Candidate]]) -> Message:
+    """Say of an answer what was done wrongly in a step that was left blank: one thing, or two."""
+    (step, method), *others = methods
+    for other, another in others:
+        if other is step:
+            return message(
+                "Follows from one of two slips in a step that you left blank, {title}: {hint} Or: "
+                "{other}",
+                title=step.short_title,
+                hint=method.hint,
+                other=another.hint,
+            )
         return message(
             "Follows from a slip in a step that you left blank, {title}: {hint} Or from another "
             "one, {step}: {other}",
-            title=title,
-            hint=hint,
-            step=comparison.plan.quantities[other.of].short_title,
-            other=other.candidate.hint,
+            title=step.short_title,
+            hint=method.hint,
+            step=other.short_title,
+            other=another.hint,
         )
     return message(
         "Follows from a slip in a step that you left blank, {title}: {hint}",
-        title=title,
-        hint=hint,
+        title=step.short_title,
+        hint=method.hint,
     )
 
 
@@ -242,7 +262,11 @@ def _unwritten(comparison: Comparison, kind: Kind) -> list[str]:
 def _weigh_earlier(
     comparison: Comparison, name: str, candidates: tuple[Candidate, ...]
 ) -> list[Weighed]:
-    """Weigh wrong methods of an earlier step by what they make of this answer."""
+    """Weigh wrong methods of an earlier step by what they make of this answer.
+
+    Nothing was written there, so that nothing was written in another unit.
+    """
+    candidates = tuple(one for one in candidates if one.kind not in OF_WRITING)
     if not candidates:
         return []
     unit = comparison.plan.quantities[name].unit
@@ -253,7 +277,7 @@ def _weigh_earlier(
     ]
     here = carried_here(comparison, name, np.asarray(results)) / factor(comparison.quantity.unit)
     return [
-        Weighed(name, candidate, value, _UNWRITTEN * candidate.prior * density(comparison, spread))
+        Weighed(name, candidate, value, UNWRITTEN * candidate.prior * density(comparison, spread))
         for candidate, value in zip(candidates, here.tolist(), strict=True)
         for spread in [_spread_as(comparison.follows, value)]
         if np.isfinite(value)

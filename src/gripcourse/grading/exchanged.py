@@ -6,7 +6,14 @@ from itertools import combinations
 
 from gripcourse.course.quantity import Kind
 from gripcourse.grading.comparison import Comparison
-from gripcourse.grading.submission_case import GradingCase, JudgedAnswer, cost_already
+from gripcourse.grading.intended import better
+from gripcourse.grading.submission_case import (
+    GradingCase,
+    JudgedAnswer,
+    cost_already,
+    judge_answer,
+    with_answers,
+)
 from gripcourse.policy.bands import within
 from gripcourse.text.words import message
 
@@ -14,7 +21,8 @@ from gripcourse.text.words import message
 def exchanged_once(case: GradingCase, judged: Sequence[JudgedAnswer]) -> list[JudgedAnswer]:
     """Let the second of two answers count that were written into each other's cells.
 
-    Whoever takes the ends of a range for each other has made one mistake too.
+    Whoever takes the ends of a range for each other has made one mistake too. What follows from
+    the numbers as they were meant is no mistake at all.
 
     Args:
         case: the submission.
@@ -23,35 +31,76 @@ def exchanged_once(case: GradingCase, judged: Sequence[JudgedAnswer]) -> list[Ju
     Returns:
         The same in the same order.
     """
-    changed: dict[str, JudgedAnswer] = {}
+    now, taken = list(judged), set[str]()
     for one, other in _pairs(judged):
-        if one.quantity.id not in changed and other.quantity.id not in changed:
-            changed[one.quantity.id] = _first(one, other)
-            changed[other.quantity.id] = _second(case, one, other)
-    return [changed.get(one.quantity.id, one) for one in judged]
+        ids = {one.quantity.id, other.quantity.id}
+        if not taken.isdisjoint(ids):
+            continue
+        meant = _as_meant(case, now, one, other)
+        if other.judgement.outcome.traits.mistake or _mistakes(meant) < _mistakes(now):
+            changed = {
+                one.quantity.id: _first(one, other),
+                other.quantity.id: _second(case, one, other),
+            }
+            now = [changed.get(answer.quantity.id, answer) for answer in meant]
+            taken |= ids
+    return now
 
 
 def _pairs(judged: Sequence[JudgedAnswer]) -> Iterator[tuple[JudgedAnswer, JudgedAnswer]]:
-    """Yield wrong answers each of which is what the other should be.
+    """Yield a wrong answer and another one, each of which is what the other should be.
 
     They have one unit, or stand one below the other: nobody writes into a cell far away what has
-    another unit, and of two numbers that are wrong for other reasons few are each other's.
+    another unit, and of two numbers that are wrong for other reasons few are each other's. The
+    other may follow from the wrong one, as a force does from a speed by their product.
     """
-    wrong = [
+    computed = [
         (place, one, one.comparison)
         for place, one in enumerate(judged)
-        if one.quantity.kind is Kind.FORMULA
-        and one.comparison is not None
-        and one.judgement.outcome.traits.mistake
+        if one.quantity.kind is Kind.FORMULA and one.comparison is not None
     ]
-    for (place, one, here), (below, other, there) in combinations(wrong, 2):
+    for (place, one, here), (below, other, there) in combinations(computed, 2):
+        first, second = one.judgement.outcome.traits, other.judgement.outcome.traits
         is_next = below == place + 1 and one.quantity.section == other.quantity.section
         if (
-            (is_next or one.quantity.unit == other.quantity.unit)
+            first.mistake
+            and (second.mistake or second.follows)
+            and (is_next or one.quantity.unit == other.quantity.unit)
             and _is_for(here.value, there, one.quantity.id)
             and _is_for(there.value, here, other.quantity.id)
         ):
             yield one, other
+
+
+def _as_meant(
+    case: GradingCase, judged: Sequence[JudgedAnswer], one: JudgedAnswer, other: JudgedAnswer
+) -> list[JudgedAnswer]:
+    """Judge the mistakes among the others again, with two numbers in each other's cells."""
+    pair = {one.quantity.id: other.answer, other.quantity.id: one.answer}
+    answers = {
+        name: replace(case.answers[name], value=answer.value, half_unit=answer.half_unit)
+        for name, answer in pair.items()
+        if answer is not None and name in case.answers
+    }
+    wrong = {
+        answer.quantity.id
+        for answer in judged
+        if answer.judgement.outcome.traits.mistake and answer.quantity.id not in pair
+    }
+    if not wrong:
+        return list(judged)
+    after = with_answers(case, answers)
+    again = [
+        judge_answer(after, answer.quantity, answer.answer)
+        if answer.quantity.id in wrong
+        else answer
+        for answer in judged
+    ]
+    return [better(*each) for each in zip(judged, again, strict=True)]
+
+
+def _mistakes(judged: Sequence[JudgedAnswer]) -> int:
+    return sum(one.judgement.outcome.traits.mistake for one in judged)
 
 
 def _is_for(value: float, comparison: Comparison, other: str) -> bool:

@@ -35,6 +35,8 @@ _FROM_OWN, _FROM_REFERENCE = 0.9, 0.1
 # Some carry on the typed number, some the one in the calculator.
 _CARRIED_TYPED, _CARRIED_EXACT = 0.5, 0.5
 _LATER: Final = 4  # answers that are asked
+_TWO: Final = 2
+_MOST_NAMED: Final = 3  # methods: more tell a student nothing
 FROM_HABIT: Final = 0.2
 """Few shorten a constant so much that the result shows it."""
 
@@ -60,7 +62,7 @@ class Explanation:
 
     Attributes:
         likeliest: the wrong method.
-        tied: others that explain the answer as well, likeliest first.
+        tied: others that may explain the answer too, likeliest first.
     """
 
     likeliest: Weighed
@@ -146,7 +148,7 @@ def conclude(
         rival: weight of what is no method and explains the answer too.
 
     Returns:
-        The method, or two that explain the answer equally well; None where it is not explained.
+        The method, or the few of which one explains it certainly; None where it is not explained.
     """
     policy = comparison.policy.slips
     met = [one for one in weighed if one.weight > 0]
@@ -154,15 +156,16 @@ def conclude(
         return None
     total = rival + _weight_of(met) + unexplained(comparison) * policy.unexplained
     groups = sorted(_alike(met), key=_weight_of, reverse=True)
-    best = groups[0]
-    if _weight_of(best) / total >= policy.certain:
-        return _named(comparison, best)
-    if len(groups) == 1 or not _tie(groups[0], groups[1], policy):
-        return None
-    both = _weight_of(groups[0]) + _weight_of(groups[1])
-    if both / total < policy.certain:
-        return None
-    return Explanation(groups[0][0], (groups[1][0],))
+    if _weight_of(groups[0]) / total >= policy.certain:
+        return _named(comparison, groups[0])
+    for count in range(_TWO, _MOST_NAMED + 1):
+        some = [_what_holds(group, policy) for group in groups[:count]]
+        together = sum(map(_weight_of, groups[:count])) / total >= policy.certain
+        # Three in steps of their own would be too long a sentence to help anybody.
+        few = count == _TWO or len({one.of for one in some}) == 1
+        if together and few and len(some) == count:
+            return Explanation(some[0], tuple(some[1:]))
+    return None
 
 
 def density(comparison: Comparison, result: ExpectedRange) -> float:
@@ -254,10 +257,6 @@ def _weight_of(group: Sequence[Weighed]) -> float:
     return sum(one.weight for one in group)
 
 
-def _tie(one: Sequence[Weighed], other: Sequence[Weighed], policy: SlipPolicy) -> bool:
-    return _weight_of(one) < policy.tie * _weight_of(other)
-
-
 def _named(comparison: Comparison, group: Sequence[Weighed]) -> Explanation:
     """Name the likeliest of methods with one result, or what holds whichever it was."""
     policy = comparison.policy.slips
@@ -276,7 +275,7 @@ def _through_an_input(comparison: Comparison, group: Sequence[Weighed]) -> Itera
     """
     for one in group:
         if one.candidate.kind == SlipKind.INPUT_UNIT:
-            times = float(one.candidate.id.detail.partition(",")[2])
+            times = float(one.candidate.id.detail.split(",")[1])
             if not math.isclose(one.value, times * comparison.expected, rel_tol=_SHORTEST):
                 yield one
 

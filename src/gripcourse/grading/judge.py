@@ -11,7 +11,7 @@ from dataclasses import replace
 from gripcourse.course.quantity import Quantity
 from gripcourse.grading.causes import causes_of, roots_of, spoiled_first, spoiled_later
 from gripcourse.grading.charged_once import shortened_once
-from gripcourse.grading.diagnose import CandidatesOf
+from gripcourse.grading.diagnose import CandidatesOf, said_of_blank
 from gripcourse.grading.exchanged import exchanged_once
 from gripcourse.grading.extended import extended
 from gripcourse.grading.flags import flags_of
@@ -129,6 +129,8 @@ def _substituted(
     if one is None:
         return judged
     first = one.explains[0]
+    if one.is_slip:
+        return _through_blank(case, judged, one)
     if judged.quantity.id == first:
         judgement = replace(
             judged.judgement,
@@ -139,6 +141,20 @@ def _substituted(
         )
         return replace(judged, judgement=judgement)
     return cost_already(case, judged, first, spoiled_later(case.plan, one))
+
+
+def _through_blank(case: GradingCase, judged: JudgedAnswer, found: Substitution) -> JudgedAnswer:
+    """A slip in a step that was left blank has cost that step, and costs nothing more."""
+    step = case.plan.quantities[found.quantity]
+    said = message(
+        "Follows from a slip in a step that you left blank, {title}.", title=step.short_title
+    )
+    if found.methods:
+        said = said_of_blank([(step, method) for method in found.methods])
+    free = cost_already(case, judged, step.id, said)
+    named = tuple(one.id for one in found.methods)
+    judgement = replace(free.judgement, slip=named[0] if named else None, tied=named[1:])
+    return replace(free, judgement=judgement)
 
 
 def _findings(case: GradingCase, settled: Sequence[JudgedAnswer]) -> tuple[Finding, ...]:

@@ -30,6 +30,8 @@ def judge_rough(comparison: Comparison) -> Judgement | None:
     for target, against in ((comparison.reference, Against.REFERENCE), (own, Against.OWN_INPUTS)):
         if is_rounded_from(comparison, target):
             earns = abs(value - target) <= ROUGHEST * abs(target)
+            if comparison.quantity.exact and not earns:
+                continue  # nobody rounds a number of a table so far: it is that of another row
             credit = comparison.policy.rough_credit if earns else 0.0
             said = _said(comparison, target)
             found = conclude(comparison, Outcome.ROUGH, against, credit, said)

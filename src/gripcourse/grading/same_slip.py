@@ -37,9 +37,11 @@ def same_slip_once(case: GradingCase, judged: Sequence[JudgedAnswer]) -> list[Ju
     """
     first: dict[_Mistake, str] = {}
     for one in in_order_of_steps(case, judged):
-        mistake = _named(case, one)
-        if mistake is not None:
-            first.setdefault(mistake, one.quantity.id)
+        named = _named(case, one)
+        # Of several that a number does not tell apart, the one that was made before was made again.
+        root = next((first[mistake] for mistake in named if mistake in first), one.quantity.id)
+        for mistake in named:
+            first.setdefault(mistake, root)
     return [_once(case, one, first) for one in judged]
 
 
@@ -55,18 +57,18 @@ def _alike(case: GradingCase, judged: JudgedAnswer) -> _Alike | None:
             return (judged.quantity.unit, form(tree)) if kind is Kind.FORMULA else None
 
 
-def _named(case: GradingCase, judged: JudgedAnswer) -> _Mistake | None:
+def _named(case: GradingCase, judged: JudgedAnswer) -> list[_Mistake]:
     """Return what was done wrongly, and in a formula of which form, where that is named."""
     slip, alike = judged.judgement.slip, _alike(case, judged)
     mistaken = judged.judgement.outcome.traits.mistake
     if not mistaken or slip is None or slip.kind == USED or alike is None:
-        return None
-    return slip, alike
+        return []
+    return [(one, alike) for one in (slip, *judged.judgement.tied)]
 
 
 def _once(case: GradingCase, judged: JudgedAnswer, first: Mapping[_Mistake, str]) -> JudgedAnswer:
-    mistake = _named(case, judged) or _repeated(case, judged, first)
-    root = judged.quantity.id if mistake is None else first[mistake]
+    found = _named(case, judged) or _repeated(case, judged, first)
+    root = first[found[0]] if found else judged.quantity.id
     if root == judged.quantity.id:
         return judged
     said = message(
@@ -78,18 +80,18 @@ def _once(case: GradingCase, judged: JudgedAnswer, first: Mapping[_Mistake, str]
 
 def _repeated(
     case: GradingCase, judged: JudgedAnswer, first: Mapping[_Mistake, str]
-) -> _Mistake | None:
-    """Return a slip of a formula that is alike, where it gives this answer too.
+) -> list[_Mistake]:
+    """Return the slips of a formula that is alike, where they give this answer too.
 
     Alone it was in doubt: of a small angle nobody can tell radians from its sine.
     """
     alike, comparison = _alike(case, judged), judged.comparison
     if alike is None or comparison is None or not is_unexplained(case, judged):
-        return None
+        return []
     slips = {slip for slip, of in first if of == alike}
     if not slips:
-        return None
+        return []
     met = weigh(
         comparison, [one for one in case.candidates_of(judged.quantity.id) if one.id in slips]
     )
-    return (met[0].candidate.id, alike) if met else None
+    return [(one.candidate.id, alike) for one in met]

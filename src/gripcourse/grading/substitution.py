@@ -14,14 +14,15 @@ from typing import Final
 import numpy as np
 
 from gripcourse.course.quantity import Kind
-from gripcourse.grading.comparison import Comparison, Judgement
-from gripcourse.grading.explain import FROM_HABIT, unexplained
+from gripcourse.grading.blank_methods import BlankMethod, methods_in_blank
+from gripcourse.grading.comparison import Comparison
 from gripcourse.grading.misreading import ANYTHING, misreadings, neighbours
-from gripcourse.grading.roots import Array, overlaps, reach, spans
+from gripcourse.grading.roots import overlaps, spans
 from gripcourse.grading.same_number import same_numbers
-from gripcourse.grading.shortened import shortenings
 from gripcourse.grading.submission_case import GradingCase, JudgedAnswer
-from gripcourse.grading.unwritten import carried_here, unwritten_before
+from gripcourse.grading.unwritten import UNWRITTEN, carried_here, unwritten_before
+from gripcourse.grading.wrong_answers import WrongAnswer, likelihoods, wrong_answers
+from gripcourse.slips.model import Candidate
 from gripcourse.text.units import factor
 
 # How often a number is taken for another, and how often an answer is wrong by itself.
@@ -32,12 +33,6 @@ _LEAST_ANSWERS: Final = 2
 # Who takes a number for another takes it so everywhere, but for one time in five.
 _ELSEWHERE_RIGHT: Final = 0.2
 _MOST_RIGHT: Final = 3  # such answers that count
-# How likely a size or a verdict comes out so by chance, where it is wrong.
-_BY_CHANCE: Final[Mapping[Kind, float]] = {Kind.CHOICE: 0.15, Kind.VERDICT: 0.5}
-# A zero has no last digit, and comes out by many mistakes.
-_ZERO = 0.2
-_SAME: Final = 1e-6
-_SLACK: Final = 1e-9
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,6 +46,9 @@ class Substitution:
         odds: of it against each answer being wrong by itself.
         tied: another input whose number explains the same answers as well; empty for none.
         named: whether it is certain that it was this input, or the tied one.
+        is_slip: whether no number was used wrongly, but a wrong method in a step that was left
+            blank, which has cost.
+        methods: these, likeliest first; none where it is not certain which.
     """
 
     quantity: str
@@ -59,33 +57,8 @@ class Substitution:
     odds: float
     tied: str
     named: bool = True
-
-
-@dataclass(frozen=True, slots=True)
-class _Wrong:
-    """A wrong answer.
-
-    Attributes:
-        comparison: of the answer.
-        alone: how densely numbers lie at it if it is wrong by itself.
-        habits: what people shorten the constants to that lead to it, SI, by name.
-        is_far: whether rounding may have done it too, so that it is no evidence without another.
-    """
-
-    comparison: Comparison
-    alone: float
-    habits: tuple[Mapping[str, float], ...]
-    is_far: bool
-
-    @property
-    def name(self) -> str:
-        """Id of the quantity."""
-        return self.comparison.quantity.id
-
-    @property
-    def is_range(self) -> bool:
-        """Whether it was typed with a last digit, and stands for all numbers that round to it."""
-        return self.comparison.quantity.kind not in _BY_CHANCE and self.comparison.value != 0
+    is_slip: bool = False
+    methods: tuple[Candidate, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -110,7 +83,7 @@ def substitutions(case: GradingCase, judged: Sequence[JudgedAnswer]) -> tuple[Su
     """
     # What only repeats a number is no evidence of its own for where that comes from.
     repeated = same_numbers(case, judged)
-    wrong = [one for one in _wrong(case, judged) if one.name not in repeated]
+    wrong = [one for one in wrong_answers(case, judged) if one.name not in repeated]
     if len(wrong) < _LEAST_ANSWERS:
         return ()
     right = [
@@ -133,52 +106,63 @@ def _with_repeated(found: Substitution, repeated: Mapping[str, str]) -> Substitu
     return replace(found, explains=(*found.explains, *again))
 
 
-def _wrong(case: GradingCase, judged: Sequence[JudgedAnswer]) -> list[_Wrong]:
-    """Return the wrong answers that something may be told from, in order of calculation."""
-    found = {}
-    for one in judged:
-        comparison = one.comparison
-        if comparison is None or not case.is_own or not comparison.answer.unit_fits:
-            continue
-        is_far = _is_far(one.judgement)
-        if not (one.judgement.outcome.traits.mistake or is_far):
-            continue
-        alone = one.judgement.alone
-        if math.isnan(alone):
-            alone = unexplained(comparison)
-        alone = _ZERO if comparison.value == 0 else alone
-        alone = _BY_CHANCE.get(one.quantity.kind, alone)
-        found[one.quantity.id] = _Wrong(comparison, alone, tuple(_habits(comparison)), is_far)
-    return [found[name] for name in case.plan.quantities if name in found]
-
-
-def _is_far(judgement: Judgement) -> bool:
-    """Tell whether an answer may be rounded so far that it earns nothing; or it is another one."""
-    return judgement.outcome.traits.coarse and not judgement.credit
-
-
-def _habits(comparison: Comparison) -> Iterator[Mapping[str, float]]:
-    """Yield what people shorten the constants of an answer to, and of blank steps before it."""
-    steps = (*unwritten_before(comparison), comparison.quantity.id)
-    return shortenings(comparison.plan, steps, comparison.policy.habits)
-
-
 def _all(
-    case: GradingCase, wrong: Sequence[_Wrong], right: Sequence[Comparison]
+    case: GradingCase, wrong: Sequence[WrongAnswer], right: Sequence[Comparison]
 ) -> Iterator[Substitution]:
-    users: dict[str, list[_Wrong]] = {}
+    users: dict[str, list[WrongAnswer]] = {}
     for one in wrong:
         before = list(unwritten_before(one.comparison))
         inputs = (case.plan.inputs[name] for name in (one.name, *before))
         for name in dict.fromkeys(name for names in inputs for name in names):
             users.setdefault(name, []).append(one)
     for name, using in users.items():
-        if len(using) >= _LEAST_ANSWERS and case.plan.quantities[name].kind is not Kind.VERDICT:
-            yield from _of_input(case, name, using, right)
+        if len(using) < _LEAST_ANSWERS or case.plan.quantities[name].kind is Kind.VERDICT:
+            continue
+        yield from _of_blank(case, name, using, right)
+        costing = [one for one in using if not one.is_free]
+        if len(costing) >= _LEAST_ANSWERS:
+            yield from _of_input(case, name, costing, right)
+
+
+def _of_blank(
+    case: GradingCase, name: str, using: Sequence[WrongAnswer], right: Sequence[Comparison]
+) -> Iterator[Substitution]:
+    """Yield the best explanation by a wrong method in a step that was left blank."""
+    found = methods_in_blank(case, name)
+    if not found or all(one.is_free for one in using):
+        return
+    tried = list(_tried(name, using, [(one.value, one.share) for one in found]))
+    pairs = [
+        (trial, method)
+        for trial, method in zip(tried, found, strict=True)
+        if len(trial.explains) >= _LEAST_ANSWERS
+    ]
+    if not pairs:
+        return
+    best, _ = max(pairs, key=lambda pair: _weight([pair[0]]))
+    alike = [pair for pair in pairs if pair[0].explains == best.explains]
+    odds = UNWRITTEN * _MISTAKEN / _MISTAKEN ** len(best.explains)
+    odds *= _weight([trial for trial, _ in alike])
+    odds *= _ELSEWHERE_RIGHT ** min(_MOST_RIGHT, _contradicting(name, best.value, right))
+    if odds >= _LEAST_ODDS:
+        value = best.value / factor(case.plan.quantities[name].unit)
+        methods = _told(alike, case)
+        yield Substitution(name, value, best.explains, odds, "", is_slip=True, methods=methods)
+
+
+def _told(found: Sequence[tuple[_Trial, BlankMethod]], case: GradingCase) -> tuple[Candidate, ...]:
+    """Return the likeliest method, or two, if one of them is it certainly."""
+    ordered = sorted(found, key=lambda pair: -_weight([pair[0]]))
+    total = _weight([trial for trial, _ in found])
+    for count in (1, 2):
+        some = ordered[:count]
+        if _weight([trial for trial, _ in some]) >= case.policy.slips.certain * total:
+            return tuple(method.candidate for _, method in some)
+    return ()
 
 
 def _of_input(
-    case: GradingCase, name: str, using: Sequence[_Wrong], right: Sequence[Comparison]
+    case: GradingCase, name: str, using: Sequence[WrongAnswer], right: Sequence[Comparison]
 ) -> Iterator[Substitution]:
     """Yield the best explanation by another number for an input, if it is likely enough."""
     number = float(case.follow_through.evaluation.values[name])
@@ -210,7 +194,7 @@ def _weight(trials: Sequence[_Trial]) -> float:
 
 
 def _trials(
-    case: GradingCase, name: str, using: Sequence[_Wrong], right: float
+    case: GradingCase, name: str, using: Sequence[WrongAnswer], right: float
 ) -> Iterator[_Trial]:
     """Yield numbers that may have been used: what a number is taken for, then any that fits."""
     unit = factor(case.plan.quantities[name].unit)
@@ -246,37 +230,18 @@ def _misread(case: GradingCase, name: str) -> dict[float, float]:
 
 
 def _tried(
-    name: str, using: Sequence[_Wrong], numbers: Sequence[tuple[float, float]]
+    name: str, using: Sequence[WrongAnswer], numbers: Sequence[tuple[float, float]]
 ) -> Iterator[_Trial]:
     values = np.asarray([value for value, _ in numbers])
-    likelihoods = [_likelihoods(one, name, values) for one in using]
+    met_by = [likelihoods(one, name, values) for one in using]
     for place, (value, share) in enumerate(numbers):
         met = [
             (one.name, float(each[place]))
-            for one, each in zip(using, likelihoods, strict=True)
+            for one, each in zip(using, met_by, strict=True)
             if each[place] > 0
         ]
         likelihood = math.prod(ratio for _, ratio in met)
         yield _Trial(value, share, tuple(name for name, _ in met), likelihood)
-
-
-def _likelihoods(wrong: _Wrong, name: str, values: Array) -> Array:
-    """Return how much better each number explains an answer than that it is wrong by itself."""
-    comparison = wrong.comparison
-    with np.errstate(all="ignore"):
-        here = carried_here(comparison, name, values) / factor(comparison.quantity.unit)
-    if not wrong.is_range:
-        scale = abs(comparison.reference) if math.isfinite(comparison.reference) else 0.0
-        met = np.isclose(here, comparison.value, rtol=_SAME, atol=_SLACK * scale)
-        return np.where(met, 1 / wrong.alone, 0.0)
-    half = reach(comparison)
-    weight = np.where(np.abs(here - comparison.value) <= half, 1.0, 0.0)
-    for constants in wrong.habits:
-        with np.errstate(all="ignore"):
-            shortened = carried_here(comparison, name, values, constants)
-        off = np.abs(shortened / factor(comparison.quantity.unit) - comparison.value)
-        weight = np.maximum(weight, np.where(off <= half, FROM_HABIT, 0.0))
-    return np.asarray(weight / (2 * half) / wrong.alone)
 
 
 def _contradicting(name: str, value: float, right: Sequence[Comparison]) -> int:
@@ -303,6 +268,8 @@ def _certain(best: Substitution, found: Sequence[Substitution], case: GradingCas
     total = 1.0 + best.odds + sum(one.odds for one in rivals)
     if best.odds >= policy.certain * total:
         return best
+    if best.is_slip:
+        return replace(best, methods=())
     same = [one for one in rivals if one.explains == best.explains]
     if same and best.odds + same[0].odds >= policy.certain * total:
         return replace(best, tied=same[0].quantity)

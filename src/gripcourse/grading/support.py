@@ -64,7 +64,11 @@ def is_calculated(case: GradingCase, judged: Sequence[JudgedAnswer]) -> bool:
     # One or two numbers are read wrongly; who has more of them wrong has somebody else's.
     misread = {one.judgement.slip for one in computed if _is_misread(case.plan, one)}
     is_mistaken = _is_mistake if len(misread) > _FEW else _is_unexplained
-    own = [one for one in computed if _uses_issued(case.plan, one.quantity.id)]
+    own = [
+        one
+        for one in computed
+        if _uses_issued(case.plan, one.quantity.id) and not _is_forgiven(one)
+    ]
     counted = _counted(own, is_mistaken)
     return counted.mistaken <= _FEW or counted.share >= share
 
@@ -104,6 +108,17 @@ def _is_misread(plan: Plan, judged: JudgedAnswer) -> bool:
 
 def _uses_issued(plan: Plan, name: str) -> bool:
     return any(plan.quantities[one].kind is Kind.GIVEN for one in plan.inputs[name])
+
+
+def _is_forgiven(judged: JudgedAnswer) -> bool:
+    """Tell whether an answer follows from none of the student's numbers, but from one used wrongly.
+
+    In a neighbour's work all do that use one issued number.
+    """
+    comparison, traits = judged.comparison, judged.judgement.outcome.traits
+    if comparison is None or not traits.follows:
+        return False
+    return not comparison.fits(comparison.follows.nearest(comparison.value))
 
 
 def _is_nothing(judged: JudgedAnswer) -> bool:

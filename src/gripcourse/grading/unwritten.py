@@ -1,6 +1,7 @@
 """Steps that were not written down: what leads to an answer through no number of the student's."""
 
 from collections.abc import Iterator, Mapping
+from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,6 +13,9 @@ from gripcourse.grading.shortened import EXACTLY, uses_constant, with_constants
 from gripcourse.solver.evaluation import Values
 from gripcourse.solver.plan import Plan
 from gripcourse.solver.sizes import choose, compute
+
+UNWRITTEN: Final = 0.5
+"""A step in the head is left out less often than it is written down."""
 
 
 def unwritten_before(comparison: Comparison) -> Iterator[str]:

@@ -15,6 +15,7 @@ from itertools import chain, repeat
 
 import numpy as np
 
+from gripcourse.likeness.cells import Floats, Ints
 from gripcourse.likeness.chance import CommonMistakes, chance_of, common_mistakes
 from gripcourse.likeness.issued import IssuedValues
 from gripcourse.likeness.matches import (
@@ -196,15 +197,12 @@ def _keep_taken(
         found: by submission, what was found so far; it is added to.
     """
     pooled, owners = asked.pooled, asked.pooled.issued.owners
-    pairs = np.unique(
-        np.concatenate([likely_pairs(one, asked.least, asked.answers) for one in compared])
-    )
+    pairs = _likely(asked, compared)
     row, owner = np.divmod(pairs, compared[0].owners)
     other = first + owner != pooled.own[part.first + row]
     row, owner, pairs = row[other], owner[other], pairs[other]
     each = np.stack([log_odds(one, pairs, asked.answers) for one in compared])
-    # Nobody knows beforehand whether numbers were moved: both count alike.
-    logs = np.logaddexp.reduce(each) - math.log(len(compared))
+    logs = _of_all(each)
     for place in np.flatnonzero(logs >= asked.least).tolist():
         submission, name = int(part.first + row[place]), owners[first + int(owner[place])]
         before = found.get(submission)
@@ -243,10 +241,14 @@ def owners_of_copies(
 
 def same_answers(asked: _Asked) -> Iterator[Evidence]:
     """Yield for each submission those in which the same numbers were typed beyond chance."""
-    pooled = asked.pooled
+    pooled, moved = asked.pooled, asked.chances.typed
 
     def portions() -> Iterator[Sought]:
-        return (same_as_typed(part.numbers).some(~part.explained) for part in pooled.parts())
+        return (
+            same_as_typed(part.numbers, one).some(~part.explained)
+            for part in pooled.parts()
+            for one in moved
+        )
 
     counted = met(portions, (works.typed for works in pooled.works))
     mistakes = common_mistakes(pooled, asked.chances)
@@ -264,43 +266,64 @@ def same_answers(asked: _Asked) -> Iterator[Evidence]:
 
 def _compared_with_typed(
     asked: _Asked, works: PooledWorks, counted: Met, mistakes: CommonMistakes
-) -> Iterator[PairMatches]:
-    """Compare submissions with what was typed in those of a table."""
-    others, right = in_order(works.typed), works.of_right
+) -> Iterator[tuple[PairMatches, ...]]:
+    """Compare submissions with what was typed in those of a table: exactly, and moved a little."""
+    others, right, ways = in_order(works.typed), works.of_right, asked.chances.typed
     for number, part in enumerate(asked.pooled.parts()):
-        sought, unknown = same_as_typed(part.numbers), ~part.explained
-        share = counted.share(number, sought.some(unknown), _BOTH)
-        chance = chance_of(part, sought, share, asked.chances)
+        unknown, compared = ~part.explained, list[PairMatches]()
         methods = mistakes.shared(number, part, right)
-        yield PairMatches(part, Matches.of(sought, unknown, others), chance, methods)
+        for way, moved in enumerate(ways):
+            sought = same_as_typed(part.numbers, moved)
+            share = counted.share(number * len(ways) + way, sought.some(unknown), _BOTH)
+            chance = chance_of(part, sought, share, asked.chances)
+            found = Matches.of(sought, unknown, others)
+            compared.append(PairMatches(part, found, chance, methods))
+        yield tuple(compared)
 
 
 def _keep_alike(
-    asked: _Asked, compared: PairMatches, first: int, found: dict[int, list[Likest]]
+    asked: _Asked, compared: Sequence[PairMatches], first: int, found: dict[int, list[Likest]]
 ) -> None:
     """Keep the submissions of a table that are like others beyond chance.
 
     Args:
         asked: for what.
-        compared: how.
+        compared: every way in which they were compared.
         first: the table's first submission among all.
         found: by submission, what was found so far; it is added to.
     """
-    pooled, part = asked.pooled, compared.part
-    pairs = likely_pairs(compared, asked.least, asked.answers)
-    row, other = np.divmod(pairs, compared.owners)
+    pooled, part, owners = asked.pooled, compared[0].part, compared[0].owners
+    pairs = _likely(asked, compared)
+    row, other = np.divmod(pairs, owners)
     pairs = pairs[pooled.own[part.first + row] != pooled.own[first + other]]
-    logs = log_odds(compared, pairs, asked.answers)
-    pairs, logs = pairs[logs >= asked.least], logs[logs >= asked.least]
-    row, other = np.divmod(pairs, compared.owners)
+    each = np.stack([log_odds(one, pairs, asked.answers) for one in compared])
+    logs = _of_all(each)
+    told = logs >= asked.least
+    pairs, each, logs = pairs[told], each[:, told], logs[told]
+    row, other = np.divmod(pairs, owners)
     for one in np.unique(row):
         mine = np.flatnonzero(row == one)
         strongest = mine[np.argsort(-logs[mine], kind="stable")]
-        names = rests_on(compared, int(pairs[strongest[0]]))
+        best = int(strongest[0])
+        names = rests_on(compared[int(np.argmax(each[:, best]))], int(pairs[best]))
         found[int(part.first + one)] += (
             Likest(float(logs[place]), pooled.students[first + int(other[place])], told)
             for place, told in zip(strongest, chain((names,), repeat(())), strict=False)
         )
+
+
+def _likely(asked: _Asked, compared: Sequence[PairMatches]) -> Ints:
+    """Return the pairs whose odds may be told after any of the comparisons."""
+    found = [likely_pairs(one, asked.least, asked.answers) for one in compared]
+    return np.asarray(np.unique(np.concatenate(found)))
+
+
+def _of_all(each: Floats) -> Floats:
+    """Return logarithms of odds over all comparisons, from those of each.
+
+    Nobody knows beforehand whether numbers were moved: all comparisons count alike.
+    """
+    return np.asarray(np.logaddexp.reduce(each) - math.log(len(each)))
 
 
 @dataclass(frozen=True, slots=True)

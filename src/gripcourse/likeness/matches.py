@@ -157,16 +157,22 @@ def same_as_issued(numbers: ComparedNumbers, moved: float = _OWN_ROUNDING) -> So
 
     Args:
         numbers: what was typed.
-        moved: relative; how far a taken number may be from the right one, where that is more than
-            one unit of its last digit.
+        moved: relative; how far a taken number may be from the right one before it is typed, where
+            that is more than one unit of its last digit.
     """
-    reach = np.maximum(numbers.unit, moved * np.abs(numbers.value))
+    reach = np.maximum(numbers.unit, moved * np.abs(numbers.value) + numbers.unit / 2)
     return Sought(numbers.column, numbers.value, reach * (1 + _SAME))
 
 
-def same_as_typed(numbers: ComparedNumbers) -> Sought:
-    """Seek the submissions in which the same was typed, but for rounding; its own is among them."""
+def same_as_typed(numbers: ComparedNumbers, moved: float = 0.0) -> Sought:
+    """Seek the submissions in which the same was typed, but for rounding; its own is among them.
+
+    Args:
+        numbers: what was typed.
+        moved: relative; how far a taken number may be from what the other typed.
+    """
     reach = np.maximum(numbers.unit / 2, _SAME * np.abs(numbers.value))
+    reach += moved * np.abs(numbers.value)
     return Sought(numbers.column, numbers.value, reach * (1 + _SAME))
 
 

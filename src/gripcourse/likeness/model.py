@@ -60,6 +60,7 @@ class Chances:
         slip: that it comes from the method that was recognised in it, at least.
         moved: relative; how far taken numbers may lie from the right ones: as rounding on the way
             moves them, and as far as somebody moves them who hides where they come from.
+        typed: likewise from what another student typed.
     """
 
     least: float = 0.002
@@ -67,3 +68,4 @@ class Chances:
     shared: float = 0.1
     slip: float = 0.05
     moved: tuple[float, ...] = (0.002, 0.011)
+    typed: tuple[float, ...] = (0.0, 0.011)

@@ -12,6 +12,7 @@ from gripcourse.slips.model import USED, SlipId
 from gripcourse.variants.model import Issued
 
 _SAME = 1e-9  # relative: stored givens are decimal numbers
+_ROUNDED: Final = 0.002  # relative: what rounding on the way leaves of a number that follows
 
 
 def work_of(report: Report, issued: Issued, issuer: str) -> ComparedWork:
@@ -57,19 +58,25 @@ def _is_explained(finding: Finding) -> bool:
     """Tell whether an answer is right or follows from the student's own numbers.
 
     The outcome alone does not say so: an answer that was accepted because it follows from a wrong
-    given value follows from another's where that value was copied.
+    given value follows from another's where that value was copied. Nor does the band: numbers that
+    somebody moved to hide where they come from lie within it, and not where rounding leaves them.
     """
-    if finding.outcome.traits.equals_reference or _is_between(finding, finding.low, finding.high):
+    if finding.outcome.traits.equals_reference:
         return True
-    near = (finding.reference, finding.expected)
-    return any(_is_between(finding, value, value) for value in near)
+    if _is_between(finding, finding.reference, finding.reference, finding.band):
+        return True
+    rounded = _ROUNDED * abs(finding.given or 0.0)
+    low, high = finding.low, finding.high
+    return _is_between(finding, low, high, rounded) or _is_between(
+        finding, finding.expected, finding.expected, rounded
+    )
 
 
-def _is_between(finding: Finding, low: float | None, high: float | None) -> bool:
-    """Tell whether an answer lies within its band of a range."""
+def _is_between(finding: Finding, low: float | None, high: float | None, reach: float) -> bool:
+    """Tell whether an answer lies within reach of a range, or as near as it was typed."""
     if finding.given is None or low is None or high is None:
         return False
-    reach = max(finding.band, 2 * finding.half_unit, _SAME * abs(high)) * (1 + _SAME)
+    reach = max(reach, 2 * finding.half_unit, _SAME * abs(high)) * (1 + _SAME)
     return low - reach <= finding.given <= high + reach
 
 

@@ -200,7 +200,7 @@ SLIPS: Final = Shape(
                                       required=True),
                 "declared": number("How common each declared slip is.", required=True),
                 "certain": number("A slip is named from this probability on.", required=True),
-                "tie": number("Two are named where neither is so many times likelier.",
+                "tie": number("Of two with one result both are named: neither is so much likelier.",
                               required=True),
                 "spread": number("Wrong answers scatter by e to this power.", required=True),
             },

@@ -19,7 +19,7 @@ class SlipKind(StrEnum):
 
     UNIT = "unit"  # the result in another unit
     POWER_OF_TEN = "power_of_ten"
-    ANGLE_UNIT = "angle_unit"  # degrees taken for radians
+    ANGLE_UNIT = "angle_unit"  # degrees taken for radians, or the other way round
     INPUT_UNIT = "input_unit"  # an input that was not converted
     RADIUS_FOR_DIAMETER = "radius_for_diameter"
     GRAVITY_LEFT_OUT = "gravity_left_out"
@@ -80,7 +80,8 @@ class SlipPolicy:
         unexplained: how common a wrong answer is that nothing explains, on the scale of the priors.
         declared: how common a slip is that a formula declares for itself.
         certain: a slip is named where it is at least so probable, 0.5…1.
-        tie: two are named where neither is so many times likelier than the other, above 1.
+        tie: of two that give one number both are named where neither is so many times likelier,
+            above 1.
         spread: standard deviation of the logarithm of a wrong answer, against the right one.
     """
 

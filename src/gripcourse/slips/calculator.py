@@ -1,23 +1,17 @@
-"""What is keyed wrongly into a calculator: brackets, an angle's function, one sign for another.
+"""What is keyed wrongly into a calculator: brackets, one sign for another.
 
 Generators as those of `generic`: from a formula's surroundings to rewritten trees.
 """
 
-import math
 from collections.abc import Iterator, Mapping
-from typing import Final, TypeAlias
 
 from gripcourse.formula.dimension import measured_by
 from gripcourse.formula.fault import FormulaFault
 from gripcourse.formula.parse import parse
-from gripcourse.formula.tree import Call, Name, Negation, Node, Number, Operation
-from gripcourse.slips.rewrite import rewritings, scaled
-from gripcourse.slips.surroundings import Place, Rewritten, Surroundings
+from gripcourse.formula.tree import Name, Negation, Node, Number, Operation
+from gripcourse.slips.rewrite import rewritings
+from gripcourse.slips.surroundings import Found, Rewritten, Surroundings
 from gripcourse.text.units import Dimension, dimension
-
-_Found: TypeAlias = Iterator[tuple[Node, tuple[str, Mapping[str, Place]]]]
-
-_DEGREE: Final = math.pi / 180
 
 
 def brackets_left_out(around: Surroundings) -> Iterator[Rewritten]:
@@ -42,30 +36,11 @@ def _brackets(text: str) -> Iterator[tuple[int, int]]:
                 yield first, place
 
 
-def ratio_for_angle(around: Surroundings) -> Iterator[Rewritten]:
-    """Take a ratio for its angle: the sine itself, as degrees or as radians."""
-
-    def change(node: Node) -> _Found:
-        match node:
-            case Call("asin" | "acos" | "atan", (ratio,)):
-                pass
-            case Call("atan2", (rise, run)):
-                ratio = Operation("/", rise, run)
-            case _:
-                return
-        place, places = f"{node.span[0]}", {"quantity": node}
-        yield scaled(ratio, _DEGREE), (f"{place},deg", places)
-        yield ratio, (place, places)
-
-    for tree, (detail, places) in rewritings(around.formula.tree, change):
-        yield Rewritten(detail, tree, places)
-
-
 def added_for_multiplied(around: Surroundings) -> Iterator[Rewritten]:
     """Add what is to be multiplied, or the other way round, where both are of one kind."""
     known = {name: dimension(one.unit) for name, one in around.quantities.items()}
 
-    def change(node: Node) -> _Found:
+    def change(node: Node) -> Iterator[Found]:
         match node:
             case Operation("+" | "*" as sign, left, right):
                 if _is_alike(left, right, known):

@@ -4,7 +4,6 @@ A generator is one record of `GENERATORS`: from a formula's surroundings to rewr
 with a detail that tells it from the others of its kind and with what fills the places of the hint.
 """
 
-import math
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import replace
 from itertools import combinations
@@ -13,29 +12,18 @@ from typing import Final, TypeAlias
 
 from gripcourse.formula.tree import Call, Name, Negation, Node, Number, Operation
 from gripcourse.policy.slips import SlipKind
-from gripcourse.slips.calculator import added_for_multiplied, brackets_left_out, ratio_for_angle
+from gripcourse.slips.angles import ANGLES, angle_unit, ratio_for_angle, wrong_function
+from gripcourse.slips.calculator import added_for_multiplied, brackets_left_out
 from gripcourse.slips.ends import other_ends
-from gripcourse.slips.rewrite import everywhere, number, renamed, rewritings, scaled
-from gripcourse.slips.surroundings import Place, Rewritten, Surroundings
+from gripcourse.slips.rewrite import number, renamed, rewritings, scaled, somewhere
+from gripcourse.slips.surroundings import Found, Place, Rewritten, Surroundings
 from gripcourse.slips.taken import counted_twice, mass_for_weight, other_row, ring_for_circle
 from gripcourse.text.units import dimension, factor
 
 Generator: TypeAlias = Callable[[Surroundings], Iterator[Rewritten]]
-Found: TypeAlias = tuple[Node, tuple[str, Mapping[str, Place]]]
-"""What may stand in the place of a node, with its detail and places."""
 
-_HALF_TURN: Final = 180.0
-_ANGLES: Final = frozenset({"deg", "rad"})
-_OTHER_FUNCTIONS: Final[Mapping[str, tuple[str, ...]]] = {
-    "sin": ("cos", "tan"),
-    "cos": ("sin", "tan"),
-    "tan": ("sin", "cos"),
-    "asin": ("acos", "atan"),
-    "acos": ("asin",),
-    "atan": ("asin",),
-}
-_COMPLEMENT: Final[Mapping[str, str]] = {"sin": "cos", "cos": "sin"}
 _CUBED: Final = 3.0
+_OF_DIAMETERS: Final = (2.0, 0.5)
 _POWERS_OF_TEN: Final = (10.0, 0.1, 100.0, 0.01, 1000.0, 0.001)
 
 
@@ -56,7 +44,7 @@ def _other_units(around: Surroundings, unit: str) -> Iterator[tuple[str, float]]
     if unit not in around.slip.units:
         return
     for other in around.slip.units:
-        alike = dimension(other) == dimension(unit) and (other in _ANGLES) == (unit in _ANGLES)
+        alike = dimension(other) == dimension(unit) and (other in ANGLES) == (unit in ANGLES)
         if other != unit and alike:
             yield other, factor(other) / factor(unit)
 
@@ -77,52 +65,31 @@ def _input_unit(around: Surroundings) -> Iterator[Rewritten]:
         for other, ratio in others:
             taken.setdefault(1 / ratio, (other, quantity.unit))
         for ratio, (unit, asked) in sorted(taken.items()):
-            tree = renamed(around.formula.tree, {name: scaled(Name(name), ratio)})
+            right, larger = around.formula.tree, scaled(Name(name), ratio)
             places: dict[str, Place] = {"quantity": quantity, "unit": unit, "asked": asked}
-            times = float(f"{ratio:.4g}")
-            yield Rewritten(f"{name},{ratio:g}", tree, places | {"number": times})
-
-
-def _angle_unit(around: Surroundings) -> Iterator[Rewritten]:
-    def misread(node: Node) -> Node:
-        if isinstance(node, Call) and node.function in {"sin", "cos", "tan"}:
-            return replace(node, arguments=(scaled(node.arguments[0], _HALF_TURN / math.pi),))
-        return node
-
-    def one(node: Node) -> Iterator[Found]:
-        if misread(node) is not node:
-            yield misread(node), (f"{node.span[0]}", {})
-
-    yield Rewritten("all", everywhere(around.formula.tree, misread), {})
-    yield from _each(around, one)
-    if not around.formula.units and around.quantity.unit not in _ANGLES:
-        tree = _with_degrees(around, around.formula.tree)
-        if tree != around.formula.tree:
-            yield Rewritten("outside", tree, {})
-
-
-def _with_degrees(around: Surroundings, node: Node) -> Node:
-    """Return a tree with the degrees of every angle that stands in no function, as in R·θ."""
-    match node:
-        case Name(name) if name in around.quantities and around.quantities[name].unit == "deg":
-            return scaled(node, _HALF_TURN / math.pi)
-        case Negation(operand):
-            return replace(node, operand=_with_degrees(around, operand))
-        case Operation(_, left, right):
-            new = (_with_degrees(around, left), _with_degrees(around, right))
-            return replace(node, left=new[0], right=new[1])
-        case _:
-            return node
+            places["number"] = float(f"{ratio:.4g}")
+            yield Rewritten(f"{name},{ratio:g}", renamed(right, {name: larger}), places)
+            for place, tree in somewhere(right, name, larger):
+                yield Rewritten(f"{name},{ratio:g},{place}", tree, places)
 
 
 def _radius_for_diameter(around: Surroundings) -> Iterator[Rewritten]:
-    for name in around.formula.names:
-        quantity = around.named(Name(name))
-        if quantity is None:
-            continue
-        for ratio in (2.0, 0.5):
-            tree = renamed(around.formula.tree, {name: scaled(Name(name), ratio)})
-            yield Rewritten(f"{name},{ratio:g}", tree, {"quantity": quantity})
+    """Halve or double what is round: everywhere, in one place, or all of it."""
+    right = around.formula.tree
+    found = ((name, around.named(Name(name))) for name in around.formula.names)
+    round_ones = {name: quantity for name, quantity in found if quantity is not None}
+    for name, quantity in round_ones.items():
+        for ratio in _OF_DIAMETERS:
+            taken = scaled(Name(name), ratio)
+            places = {"quantity": quantity}
+            yield Rewritten(f"{name},{ratio:g}", renamed(right, {name: taken}), places)
+            for place, tree in somewhere(right, name, taken):
+                yield Rewritten(f"{name},{ratio:g},{place}", tree, places)
+    if len(round_ones) > 1:
+        for ratio in _OF_DIAMETERS:
+            all_taken: dict[str, Node] = {name: scaled(Name(name), ratio) for name in round_ones}
+            places = {"quantity": next(iter(round_ones.values()))}
+            yield Rewritten(f"all,{ratio:g}", renamed(right, all_taken), places)
 
 
 def _left_out(
@@ -196,24 +163,6 @@ def _multiplied_for_divided(around: Surroundings) -> Iterator[Rewritten]:
                 yield typed, (f"brackets{node.span[0]}", {"quantity": last})
 
     yield from _each(around, change)
-
-
-def _wrong_function(around: Surroundings) -> Iterator[Rewritten]:
-    def change(node: Node) -> Iterator[Found]:
-        if not isinstance(node, Call):
-            return
-        for other in _OTHER_FUNCTIONS.get(node.function, ()):
-            places = {"function": other, "right": node.function}
-            yield replace(node, function=other), (f"{node.span[0]},{other}", places)
-
-    def complement(node: Node) -> Node:
-        if isinstance(node, Call) and node.function in _COMPLEMENT:
-            return replace(node, function=_COMPLEMENT[node.function])
-        return node
-
-    yield from _each(around, change)
-    places = {"function": "cos, sin", "right": "sin, cos"}
-    yield Rewritten("all", everywhere(around.formula.tree, complement), places)
 
 
 def _power(around: Surroundings) -> Iterator[Rewritten]:
@@ -310,7 +259,7 @@ GENERATORS: Final[Mapping[SlipKind, Generator]] = MappingProxyType(
         SlipKind.UNIT: _unit,
         SlipKind.POWER_OF_TEN: _power_of_ten,
         SlipKind.INPUT_UNIT: _input_unit,
-        SlipKind.ANGLE_UNIT: _angle_unit,
+        SlipKind.ANGLE_UNIT: angle_unit,
         SlipKind.RADIUS_FOR_DIAMETER: _radius_for_diameter,
         SlipKind.GRAVITY_LEFT_OUT: _quantity_left_out,
         SlipKind.SAFETY_LEFT_OUT: _quantity_left_out,
@@ -318,7 +267,7 @@ GENERATORS: Final[Mapping[SlipKind, Generator]] = MappingProxyType(
         SlipKind.NUMBER_LEFT_OUT: _number_left_out,
         SlipKind.TERM_LEFT_OUT: _term_left_out,
         SlipKind.MULTIPLIED_FOR_DIVIDED: _multiplied_for_divided,
-        SlipKind.WRONG_FUNCTION: _wrong_function,
+        SlipKind.WRONG_FUNCTION: wrong_function,
         SlipKind.POWER: _power,
         SlipKind.SWAPPED: _swapped,
         SlipKind.WRONG_END: _wrong_end,

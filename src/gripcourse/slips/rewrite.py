@@ -62,6 +62,20 @@ def renamed(node: Node, names: dict[str, Node]) -> Node:
     return everywhere(node, lambda one: names.get(one.id, one) if isinstance(one, Name) else one)
 
 
+def somewhere(node: Node, name: str, new: Node) -> Iterator[tuple[int, Node]]:
+    """Yield the tree with another node in one of the places of a name, and where that is.
+
+    Nothing for a name that stands in one place only.
+    """
+
+    def change(one: Node) -> Iterator[tuple[Node, int]]:
+        if one == Name(name):
+            yield new, one.span[0]
+
+    found = [(place, tree) for tree, place in rewritings(node, change)]
+    yield from found if len(found) > 1 else ()
+
+
 def number(value: float) -> Number:
     """Make a number of a tree."""
     return Number(value, f"{value:.12g}")

@@ -14,6 +14,9 @@ from gripcourse.policy.slips import GenericSlip
 # A declaration stands for itself; so do a number or several, a unit, a piece of the formula.
 Place: TypeAlias = Quantity | Node | float | tuple[float, ...] | str
 
+Found: TypeAlias = tuple[Node, tuple[str, Mapping[str, Place]]]
+"""What may stand in the place of a node, with its detail and places."""
+
 
 @dataclass(frozen=True, slots=True)
 class Surroundings:
