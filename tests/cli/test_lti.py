@@ -56,6 +56,7 @@ def test_all_of_canvas_signs_by_one_name_and_a_school_shows_the_page(home: Path)
         ("--moodle", "http://moodle.example.org"),
         ("--moodle", "https://user:word@moodle.example.org"),
         ("--moodle", "moodle.example.org"),
+        ("--moodle", "https://moodle.example.org:70000"),
         ("--endpoints", "x", "https://a.example", "https://a.example", "file:///etc/passwd"),
         ("--moodle", "https://a.example", "--canvas", "https://b.example"),
         (),

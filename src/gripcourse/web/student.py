@@ -37,7 +37,14 @@ from gripcourse.web.pages import (
     visitor_words,
 )
 from gripcourse.web.rates import REFUSED_LINKS
-from gripcourse.web.refusals import LINK_SAID, NO_FILE, NOT_FOUND, Code, WebRefusal
+from gripcourse.web.refusals import (
+    LINK_SAID,
+    NO_FILE,
+    NOT_FOUND,
+    TOO_MANY_AT_ONCE,
+    Code,
+    WebRefusal,
+)
 from gripcourse.web.site import Site
 from gripcourse.web.uploads import Sent, address_of, count, read_form
 
@@ -126,11 +133,15 @@ def _opened(site: Site, answer: Answer) -> Callable[[Request], Awaitable[Respons
             return notice(site, request, words, LINK_SAID[issued], status)
         visit = Visit(site, request, issued, Sent({}, None))
         remember_visitor(request, visit.words, visit.home)
-        if request.method == "POST":
+        if request.method != "POST":
+            return await run_in_threadpool(answer, visit)
+        with site.uploads.one_more(visit.student) as taken:
+            if not taken:
+                return visit.refuse(TOO_MANY_AT_ONCE)
             visit = replace(visit, sent=await read_form(request))
-        # Checks wait for workers, which must not take the threads of those who hand in.
-        limiter = site.waiting if answer is check else None
-        return await to_thread.run_sync(answer, visit, limiter=limiter)
+            # Checks wait for workers, which must not take the threads of those who hand in.
+            limiter = site.waiting if answer is check else None
+            return await to_thread.run_sync(answer, visit, limiter=limiter)
 
     return endpoint
 

@@ -121,7 +121,7 @@ def is_safe(address: str) -> bool:
     """Tell whether an address may be asked: by https, or on this machine for a trial."""
     try:
         parts = urlsplit(address)
-        host = parts.hostname or ""
+        host, _ = parts.hostname or "", parts.port  # one that is no port raises
     except ValueError:
         return False
     if not host or parts.username is not None or not address.isprintable() or " " in address:
