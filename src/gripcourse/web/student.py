@@ -24,6 +24,7 @@ from gripcourse.text.units import stands_close
 from gripcourse.text.words import Words, message
 from gripcourse.usecases.issuing.handout import sheet_path, workbook_path
 from gripcourse.usecases.publishing.publish import ShownResult, published_to
+from gripcourse.usecases.serving.counted import which_counts
 from gripcourse.usecases.serving.hand_in import is_late, kept_path, receipt_of
 from gripcourse.usecases.serving.links import open_link, signed_for
 from gripcourse.variants.model import Issued
@@ -171,6 +172,7 @@ def home(visit: Visit) -> Response:
         "left": acts.checks_left(visit.site, visit.student),
         "times": rule.times,
         "hand_ins": context.desk.hand_ins(visit.student),
+        "which_counts": words.say(which_counts(context.policy.attempts)),
         "published": None if published is None else _results(published, titles),
         "requests": [
             (titles.get(one.item, one.item), one.sentence, one.at)

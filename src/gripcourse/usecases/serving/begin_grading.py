@@ -19,7 +19,7 @@ _LOG: Final = "grading.log"
 def begin_grading(
     context: DeskContext, graded: Path, workers: int, by: str, why: str = ""
 ) -> "subprocess.Popen[bytes]":
-    """Collect the last workbook of everybody, and begin to grade them.
+    """Collect the workbooks of everybody that may count, and begin to grade them.
 
     Args:
         context: of the course.
@@ -44,7 +44,7 @@ def begin_grading(
         *("--workers", str(workers), f"--by={by}", f"--why={why}"),
     ]
     # Who handed a file in is known by the link that it came by, whatever the file says.
-    command += [f"--whose={path}={student}" for student, path in collected.items()]
+    command += [f"--whose={path}={student}" for path, student in collected.items()]
     with (context.private / _LOG).open("wb") as log:
         return subprocess.Popen(  # noqa: S603 (ourselves, and paths of our own)
             command, stdin=subprocess.DEVNULL, stdout=log, stderr=subprocess.STDOUT

@@ -1,7 +1,8 @@
 """What counts of a student's works: which of them, and what lateness leaves of its points."""
 
-from collections.abc import Collection
-from dataclasses import dataclass
+from collections.abc import Collection, Mapping
+from dataclasses import dataclass, replace
+from typing import Final
 
 from gripcourse.gradebook.journal import waivers
 from gripcourse.gradebook.model import Attempt, latest_marks_of_all
@@ -9,6 +10,8 @@ from gripcourse.gradebook.store import Gradebook
 from gripcourse.gradebook.timing import timings_by_policy
 from gripcourse.gradebook.works import points_of, works_of
 from gripcourse.grading.model import PointSums, Timing, after_lateness
+from gripcourse.policy.time_rules import AttemptRule, Counts
+from gripcourse.text.words import Message, message
 from gripcourse.usecases.serving.desk import DeskContext
 
 
@@ -30,6 +33,27 @@ class CountedWork:
     def earned(self) -> float:
         """Points that count, after what lateness takes off."""
         return after_lateness(self.sums.score, self.timing)
+
+
+_WHICH: Final[Mapping[Counts, Message]] = {
+    Counts.FIRST: message("The first workbook counts."),
+    Counts.LAST: message("The last workbook counts."),
+    Counts.BEST: message("The best workbook counts."),
+}
+_WHICH_OF: Final[Mapping[Counts, Message]] = {
+    Counts.FIRST: _WHICH[Counts.FIRST],
+    Counts.LAST: message("Of the first {most} workbooks the last one counts."),
+    Counts.BEST: message("Of the first {most} workbooks the best one counts."),
+}
+
+
+def which_counts(rule: AttemptRule | None) -> Message:
+    """Say which of several workbooks of a student counts."""
+    if rule is None:
+        return _WHICH[Counts.LAST]
+    if not rule.most:
+        return _WHICH[rule.counts]
+    return replace(_WHICH_OF[rule.counts], values={"most": rule.most})
 
 
 def counted_works(

@@ -147,29 +147,60 @@ def _may_hold_answers(context: DeskBooks, one: HandIn) -> bool:
         return True
 
 
+def may_count(context: DeskBooks, hand_ins: Iterable[HandIn]) -> dict[str, tuple[HandIn, ...]]:
+    """Return the workbooks of each student that are graded, in the order of handing in.
+
+    The last one; where the policy counts the first, the best or only so many, all that may hold
+    answers, each once: the gradebook tells which of them counts, and must know them.
+
+    Raises:
+        CourseError: the policy cannot be read.
+        OSError: a file cannot be read.
+    """
+    kept, rule = tuple(hand_ins), context.attempt_rule()
+    last = latest(context, kept)
+    found: dict[str, tuple[HandIn, ...]] = {student: (one,) for student, one in last.items()}
+    if rule is None or not rule.asks_for_all:
+        return found
+    works: dict[str, dict[str, HandIn]] = {}
+    for one in kept:
+        if not one.is_drawing and _may_hold_answers(context, one):
+            works.setdefault(one.student, {}).setdefault(one.digest, one)
+    return found | {student: tuple(of.values()) for student, of in works.items()}
+
+
 def name_in_folder(one: HandIn) -> str:
     """Return what the last workbook of a student is called for grading: like its student."""
     suffix = PurePath(one.name).suffix.lower()
     return f"{one.student}{suffix if suffix.isascii() else ''}"
 
 
-def collect_hand_ins(context: DeskBooks, out: Path) -> Mapping[str, Path]:
-    """Write the last workbook of each student into a folder, called like the student, for grading.
+def collect_hand_ins(context: DeskBooks, out: Path) -> Mapping[Path, str]:
+    """Write the workbooks that may count into a folder, for grading.
+
+    One of a student is called like the student; several stand in a folder that is, numbered like
+    their receipts.
 
     Returns:
-        The file of each student.
+        The student of each file.
 
     Raises:
+        CourseError: the policy cannot be read.
         OSError: a file cannot be read or written.
     """
     make_private_folder(out)
-    written: dict[str, Path] = {}
-    for student, one in latest(context, context.desk.hand_ins()).items():
-        path = out / name_in_folder(one)
-        write_bytes(path, kept_path(context, one.digest).read_bytes(), private=True)
-        # Lateness is counted from when it was handed in, not from when it was collected.
-        os.utime(path, (one.at.timestamp(),) * 2)
-        written[student] = path
+    written: dict[Path, str] = {}
+    for student, works in may_count(context, context.desk.hand_ins()).items():
+        for one in works:
+            name = name_in_folder(one)
+            path = out / name
+            if len(works) > 1:
+                make_private_folder(out / student)
+                path = out / student / f"receipt-{one.number:03}{PurePath(name).suffix}"
+            write_bytes(path, kept_path(context, one.digest).read_bytes(), private=True)
+            # Lateness is counted from when it was handed in, not from when it was collected.
+            os.utime(path, (one.at.timestamp(),) * 2)
+            written[path] = student
     return written
 
 
