@@ -80,6 +80,7 @@ def test_one_student_sends_a_few_files_at_once_and_others_send_theirs(server: "S
         assert client.post(f"{theirs}hand-in", files=files).status_code == 200
     assert (refused.status_code, program.status_code) == (429, 429)
     assert "still on their way" in program.json()["detail"]
+    assert program.headers["retry-after"] == "5"
     assert client.post(f"{mine}hand-in", files=files).status_code == 200
 
 
