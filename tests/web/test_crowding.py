@@ -94,3 +94,18 @@ def test_who_tries_to_sign_in_in_vain_keeps_no_instructor_of_the_same_network_ou
     assert tried == [403] * times + [429]
     right = offer_sign_in(server.context, "Dr. Ноль", server.clock.now)
     assert client.post(f"/desk/sign-in/{right}").status_code == 200
+
+
+@pytest.mark.parametrize(("bound", "value"), [("_MOST_FILES", 1), ("_MOST", 20)])
+def test_what_one_student_may_keep_is_bounded_in_number_and_size(
+    server: "Server", monkeypatch: pytest.MonkeyPatch, bound: str, value: int
+) -> None:
+    client, home = server.client(), server.home("s03")
+    before = server.context.desk.hand_ins("s03")
+    added = value + (len(before) if bound == "_MOST_FILES" else sum(one.size for one in before))
+    monkeypatch.setattr(f"gripcourse.usecases.serving.hand_in.{bound}", added)
+    files = [{"file": ("a.xlsx", f"PK of {bound}, {n}".encode())} for n in range(2)]
+    first, second = (client.post(f"{home}hand-in", files=one) for one in files)
+    assert (first.status_code, second.status_code) == (200, 400)
+    assert "no more room" in second.text
+    assert len(server.context.desk.hand_ins("s03")) == len(before) + 1

@@ -21,6 +21,8 @@ from gripcourse.variants.model import Issued
 
 _MOST: Final = 200_000_000
 """Bytes that one student may keep here: a term of large workbooks many times over."""
+_MOST_FILES: Final = 200
+"""Files of one student: where all that may count are graded, a flood of them stops a batch."""
 _NAMELESS: Final = "file"
 _LONGEST_NAME: Final = 120
 _LONGEST_SUFFIX: Final = 10
@@ -76,8 +78,9 @@ def hand_in(
         raise _refusal(
             message("The file is empty."), message("Choose your workbook once more, saved.")
         )
-    used = sum(one.size for one in context.desk.hand_ins(student))
-    if used + len(file.data) > _MOST:
+    known = context.desk.hand_ins(student)
+    used = sum(one.size for one in known)
+    if used + len(file.data) > _MOST or len(known) >= _MOST_FILES:
         raise _refusal(
             message("There is no more room for your files."), message("Ask your instructor.")
         )
