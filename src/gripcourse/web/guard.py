@@ -117,7 +117,8 @@ class Guard:
 
         async def marked(sent: Message) -> None:
             if sent["type"] == "http.response.start":
-                await incoming.hear_out()
+                if not ends_twice:  # no browser does that
+                    await incoming.hear_out()
                 self._mark(headers := MutableHeaders(scope=sent))
                 if incoming.broken_off or ends_twice:
                     headers["Connection"] = "close"
