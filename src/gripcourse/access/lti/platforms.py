@@ -218,7 +218,8 @@ def _refuse_doubles(table: Table, found: Mapping[str, Platform]) -> None:
 
 
 def _toml(value: object) -> str:
-    return json.dumps(_plain(value), ensure_ascii=True)
+    """Write a text or texts as TOML does: like JSON, but it knows no pairs of half signs."""
+    return json.dumps(_plain(value), ensure_ascii=False).replace("\x7f", "\\u007f")
 
 
 def _plain(value: object) -> object:
