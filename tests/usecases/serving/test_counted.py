@@ -149,6 +149,7 @@ def test_of_works_that_came_by_the_server_that_one_counts_which_the_policy_names
 
 def test_a_student_is_told_which_workbook_counts() -> None:
     rules = (None, *(AttemptRule(counts, most) for most in (0, 3) for counts in Counts))
+    rules += (AttemptRule(Counts.LAST, 1),)
     assert [str(which_counts(one)) for one in rules] == [
         "The last workbook counts.",
         "The first workbook counts.",
@@ -157,4 +158,5 @@ def test_a_student_is_told_which_workbook_counts() -> None:
         "The first workbook counts.",
         "Of the first 3 workbooks the last one counts.",
         "Of the first 3 workbooks the best one counts.",
+        "The first workbook counts.",
     ]

@@ -51,6 +51,8 @@ def which_counts(rule: AttemptRule | None) -> Message:
     """Say which of several workbooks of a student counts."""
     if rule is None:
         return _WHICH[Counts.LAST]
+    if rule.most == 1:
+        return _WHICH[Counts.FIRST]
     if not rule.most:
         return _WHICH[rule.counts]
     return replace(_WHICH_OF[rule.counts], values={"most": rule.most})
