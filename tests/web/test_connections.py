@@ -5,7 +5,7 @@ from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
 
 import pytest
-from starlette.types import Receive, Scope, Send
+from starlette.types import ASGIApp, Receive, Scope, Send
 from uvicorn import Config
 from uvicorn.server import ServerState
 
@@ -17,7 +17,8 @@ SECONDS = 0.1
 
 @pytest.fixture(autouse=True)
 def impatient(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("gripcourse.web.connections.SECONDS_OF_HEAD", SECONDS)
+    for limit in ("SECONDS_OF_HEAD", "SECONDS_OF_READING"):
+        monkeypatch.setattr(f"gripcourse.web.connections.{limit}", SECONDS)
 
 
 async def slow(_: Scope, _receive: Receive, send: Send) -> None:
@@ -28,9 +29,11 @@ async def slow(_: Scope, _receive: Receive, send: Send) -> None:
 
 
 @asynccontextmanager
-async def connected() -> AsyncIterator[tuple[asyncio.StreamReader, asyncio.StreamWriter]]:
+async def connected(
+    app: ASGIApp = slow,
+) -> AsyncIterator[tuple[asyncio.StreamReader, asyncio.StreamWriter]]:
     """Connect to a server that speaks by our protocol."""
-    config, state = Config(slow, log_level="critical"), ServerState()
+    config, state = Config(app, log_level="critical"), ServerState()
     server = await asyncio.get_running_loop().create_server(
         lambda: EndingProtocol(config, state, {}), "127.0.0.1", 0
     )
@@ -68,3 +71,21 @@ def test_who_is_answered_slowly_may_ask_again_on_the_same_connection() -> None:
         return heads
 
     assert asyncio.run(asked_twice()) == [b"HTTP/1.1 200 OK\r\n"] * 2
+
+
+def test_who_asks_for_much_and_reads_nothing_is_left() -> None:
+    async def told_that_nobody_reads() -> None:
+        ended = asyncio.Event()
+
+        async def much(_: Scope, _receive: Receive, send: Send) -> None:
+            await send({"type": "http.response.start", "status": 200, "headers": []})
+            for _number in range(100):  # more than all that lies between us keeps
+                part = {"type": "http.response.body", "body": bytes(1_000_000), "more_body": True}
+                await send(part)
+            ended.set()
+
+        async with connected(much) as (_, writer):
+            writer.write(WHOLE)
+            await asyncio.wait_for(ended.wait(), 50 * SECONDS)
+
+    asyncio.run(told_that_nobody_reads())
