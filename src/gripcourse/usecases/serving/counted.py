@@ -8,7 +8,7 @@ from gripcourse.gradebook.journal import waivers
 from gripcourse.gradebook.model import Attempt, latest_marks_of_all
 from gripcourse.gradebook.store import Gradebook
 from gripcourse.gradebook.timing import timings_by_policy
-from gripcourse.gradebook.works import points_of, works_of
+from gripcourse.gradebook.works import in_order, points_of, works_of
 from gripcourse.grading.model import PointSums, Timing, after_lateness
 from gripcourse.policy.time_rules import AttemptRule, Counts
 from gripcourse.text.words import Message, message
@@ -63,7 +63,8 @@ def counted_works(
 ) -> dict[str, CountedWork]:
     """Return the work that counts of each student of the register who has one.
 
-    Where no rule says which of several works counts, it is the last one that could be judged.
+    Where no rule says which of several works counts, it is the one handed in last of those that
+    could be judged.
 
     Args:
         context: of the course.
@@ -89,7 +90,7 @@ def counted_works(
             if one.attempt.judged and (one.digest not in timings or timings[one.digest].counts)
         ]
         if counting:
-            one = counting[-1].attempt
+            one = in_order(counting)[-1].attempt
             found[student] = CountedWork(
                 one, points_of(one.results, marks), timings.get(one.digest)
             )

@@ -178,21 +178,21 @@ def name_in_folder(one: HandIn) -> str:
     return f"{one.student}{suffix if suffix.isascii() else ''}"
 
 
-def collect_hand_ins(context: DeskBooks, out: Path) -> Mapping[Path, str]:
+def collect_hand_ins(context: DeskBooks, out: Path) -> Mapping[Path, HandIn]:
     """Write the workbooks that may count into a folder, for grading.
 
     One of a student is called like the student; several stand in a folder that is, numbered like
     their receipts.
 
     Returns:
-        The student of each file.
+        What was handed in, by the file that was written.
 
     Raises:
         CourseError: the policy cannot be read.
         OSError: a file cannot be read or written.
     """
     make_private_folder(out)
-    written: dict[Path, str] = {}
+    written: dict[Path, HandIn] = {}
     for student, works in may_count(context, context.desk.hand_ins()).items():
         for one in works:
             name = name_in_folder(one)
@@ -203,7 +203,7 @@ def collect_hand_ins(context: DeskBooks, out: Path) -> Mapping[Path, str]:
             write_bytes(path, kept_path(context, one.digest).read_bytes(), private=True)
             # Lateness is counted from when it was handed in, not from when it was collected.
             os.utime(path, (one.at.timestamp(),) * 2)
-            written[path] = student
+            written[path] = one
     return written
 
 
