@@ -40,6 +40,13 @@ def test_a_moodle_is_declared_by_its_address_and_the_key_is_made(home: Path) -> 
     assert "There is a platform" in register(home, "moodle", "--moodle", "https://b.example").err
 
 
+def test_what_is_declared_is_read_again_as_it_was_typed(home: Path) -> None:
+    odd = 'tool \N{GRINNING FACE} "7" \\ ї \x7f'
+    more = ("--client-id", odd, "--moodle", "https://odd.example.org")
+    assert register(home, "odd", *more).code == 0
+    assert load_platforms(home / "course")["odd"].client_id == odd
+
+
 def test_all_of_canvas_signs_by_one_name_and_a_school_shows_the_page(home: Path) -> None:
     more = ("--canvas", "https://school.instructure.com/", "--known-by", "email")
     assert register(home, "canvas", *more).code == 0
@@ -56,6 +63,7 @@ def test_all_of_canvas_signs_by_one_name_and_a_school_shows_the_page(home: Path)
         ("--moodle", "http://moodle.example.org"),
         ("--moodle", "https://user:word@moodle.example.org"),
         ("--moodle", "moodle.example.org"),
+        ("--moodle", "https://moodle.example.org:70000"),
         ("--endpoints", "x", "https://a.example", "https://a.example", "file:///etc/passwd"),
         ("--moodle", "https://a.example", "--canvas", "https://b.example"),
         (),

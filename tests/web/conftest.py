@@ -79,8 +79,8 @@ class Server:
         context = GradingContext(self.context.course, self.context.policy, self.context.register())
         graded = [
             Graded(grade_file(NamedBytes(one.name, one.read_bytes()), context), "")
-            for one in files.values()
-            if one.stem == "s01"
+            for one, kept in files.items()
+            if kept.student == "s01"
         ]
         place = home_of(self.context.course.root)
         reports = [one.report for one in keep(graded, context, place, self.clock.now)]

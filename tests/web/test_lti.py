@@ -21,6 +21,7 @@ from gripcourse.access.lti.states import MINUTES
 from gripcourse.policy.model import Policy
 from gripcourse.usecases.serving.links import revoke_links
 from gripcourse.usecases.serving.lti import bind, store_of, user_key
+from gripcourse.web.rates import REFUSED_LINKS
 from gripcourse.web.serve import Serving, platform_routes
 from support.clock import BEGAN
 from support.lti_course import LtiCourse, on_its_first_day, open_lti_course
@@ -209,6 +210,16 @@ def test_who_was_told_once_stays_that_student(
     assert school.come(school.client(), "anna").headers["location"].startswith("/s/s01~")
 
 
+def test_an_address_with_a_sign_that_folds_to_the_letter_is_anothers(
+    school: LtiCourse, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The sign of kelvin becomes a k where letters are folded; a mail server tells them apart."""
+    said = {"email": "o\N{KELVIN SIGN}sana@example.org"}
+    monkeypatch.setitem(school.platform.users, "alike", said)
+    assert school.come(school.client(), "alike").status_code == 403
+    assert school.come(school.client(), "oksana").headers["location"].startswith("/s/s02~")
+
+
 def test_an_address_that_the_platform_doubts_tells_nothing(
     school: LtiCourse, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -389,6 +400,21 @@ def test_an_answer_opens_something_once(school: LtiCourse) -> None:
     assert says(again.text, "used")
 
 
+def test_who_is_not_signed_in_at_the_platform_is_told_to_do_so_there(school: LtiCourse) -> None:
+    client = school.client()
+    answered = {"state": school.begin(client, "anna")["state"], "error": "login_required"}
+    said = client.post("/lti/launch", data=answered, headers={"accept-language": "en"})
+    assert says(said.text, "denied")
+    assert "Sign in there" in said.text
+
+
+def test_who_tries_in_vain_keeps_nobody_of_the_same_network_out(school: LtiCourse) -> None:
+    client = school.client()
+    tried = [client.get("/lti/login?iss=x").status_code for _ in range(REFUSED_LINKS.times + 1)]
+    assert tried == [403] * REFUSED_LINKS.times + [429]
+    assert school.come(client, "anna").status_code == 303
+
+
 def test_a_token_does_not_answer_to_another_question(school: LtiCourse) -> None:
     client = school.client()
     first, second = attempt(school, client), attempt(school, client)
@@ -500,7 +526,7 @@ def test_by_https_the_cookie_cannot_be_set_by_a_neighbour_and_travels_with_the_a
 
 def test_a_form_that_is_too_large_is_not_read(school: LtiCourse) -> None:
     client = school.client()
-    assert client.post("/lti/launch", data={"id_token": "x" * 100_001}).status_code == 413
+    assert client.post("/lti/launch", data={"id_token": "x" * 100_001}).status_code == 400
     many = "&".join(f"a{number}=1" for number in range(51))
     assert client.get(f"/lti/login?{many}").status_code == 400
 

@@ -162,7 +162,7 @@ def release(
 def handed_in(
     *, out: OutOption, course: CourseOption = None, language: LanguageOption = None
 ) -> None:
-    """Write the last file of every student into a folder, to be graded."""
+    """Write the workbooks that may count into a folder, to be graded."""
     from gripcourse.usecases.serving.desk import open_books
     from gripcourse.usecases.serving.hand_in import collect_hand_ins
 

@@ -18,7 +18,7 @@ from gripcourse.variants.model import Issued, Student
 from gripcourse.variants.sheet import Sheet, SheetRow, cell_place, read_sheet
 
 _COLUMNS = ("group", "student", "deadline")
-_WRITTEN = re.compile(r"(\d{4}-\d{2}-\d{2})(?:[ T](\d{1,2}:\d{2})(?::\d{2})?)?")
+_WRITTEN = re.compile(r"(\d{4}-\d{2}-\d{2})(?:[ T](\d{1,2}):(\d{2})(?::(\d{2}))?)?")
 _OFFICE = re.compile(r"(\d{1,2})\.(\d{1,2})\.(\d{4})(?=[ T]|$)")  # as offices write days here
 END_OF_DAY: Final = time(23, 59, 59)
 """The last second of a day, which still counts."""
@@ -114,7 +114,8 @@ def moment_of(written: str, zone: ZoneInfo) -> datetime | None:
         return None
     try:
         day = date.fromisoformat(found[1])
-        at = time.fromisoformat(found[2].zfill(5)) if found[2] else END_OF_DAY
+        hours, minutes, seconds = (int(one or 0) for one in found.groups()[1:])
+        at = time(hours, minutes, seconds) if found[2] else END_OF_DAY
     except ValueError:
         return None
     return datetime.combine(day, at, zone)

@@ -18,7 +18,7 @@ from gripcourse.policy.rubric_load import read_rubrics
 from gripcourse.policy.rules import read_check_rule, read_figure_rule, read_likeness_rule
 from gripcourse.policy.scales import read_scales
 from gripcourse.policy.slips_load import read_slip_policy
-from gripcourse.policy.time_rules import read_attempt_rule, read_late_rule
+from gripcourse.policy.time_rules import AttemptRule, read_attempt_rule, read_late_rule
 from gripcourse.policy.variant_rules import read_variant_rules
 from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.units import factor
@@ -87,6 +87,20 @@ def read_policy(course: Course) -> tuple[Policy | None, list[Problem]]:
     credit.known_keys()
     rounding.known_keys()
     return policy, problems
+
+
+def attempt_rule_of(root: Path) -> AttemptRule | None:
+    """Return which of several works counts, whatever else of a course is wrong; None for no rule.
+
+    Raises:
+        CourseError: the file of the policy cannot be read, or says this of attempts wrongly.
+    """
+    problems: list[Problem] = []
+    table = read_toml(policy_path(root), root, problems, POLICY)
+    found = None if table is None else read_attempt_rule(table.table("attempts"))
+    if problems:
+        raise CourseError(problems)
+    return found
 
 
 def policy_path(root: Path) -> Path:

@@ -51,6 +51,11 @@ class AttemptRule:
     counts: Counts
     most: int
 
+    @property
+    def asks_for_all(self) -> bool:
+        """Whether the last work alone does not tell which one counts."""
+        return self.counts is not Counts.LAST or self.most > 0
+
 
 def read_late_rule(table: Table | None) -> LateRule | None:
     """Read what lateness costs; None where the policy says nothing of it."""

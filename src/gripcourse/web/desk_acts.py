@@ -18,7 +18,7 @@ from gripcourse.usecases.marks.opening import grading_of
 from gripcourse.usecases.marks.regrade import Regrading, apply_regrade, regrade, undo_regrade
 from gripcourse.usecases.serving.begin_grading import begin_grading
 from gripcourse.usecases.serving.desk import DeskContext
-from gripcourse.usecases.serving.hand_in import kept_path, latest
+from gripcourse.usecases.serving.hand_in import kept_path, may_count
 from gripcourse.web.acts import reason
 from gripcourse.web.batch import LastBatch
 from gripcourse.web.refusals import NOT_FOUND, Code, WebRefusal, unless_in_conflict
@@ -39,7 +39,7 @@ _MARKED_MEANWHILE: WebRefusal = WebRefusal(
 
 
 def begin_batch(site: Site, by: str, why: str) -> WebRefusal | None:
-    """Begin to grade the last workbook of everybody; None where it has begun."""
+    """Begin to grade the workbooks of everybody that may count; None where it has begun."""
     if site.graded is None:
         return NOT_FOUND
     with site.own_batch.lock:
@@ -64,7 +64,7 @@ class GradingNow:
         failed: whether the one that was begun here last did not come to its end.
         progress: how far it is; None where none has begun, or it is about to begin or to end.
         last: what was graded last; None for nothing.
-        waiting: students whose last workbook a batch would grade.
+        waiting: workbooks that a batch would grade.
     """
 
     runs: bool
@@ -88,7 +88,7 @@ def grading_now(site: Site, graded: Path) -> GradingNow:
         failed=site.own_batch.failed,
         progress=progress,
         last=site.batches.read(graded),
-        waiting=len(latest(site.context, hand_ins)),
+        waiting=sum(map(len, may_count(site.context, hand_ins).values())),
     )
 
 

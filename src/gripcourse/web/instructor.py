@@ -26,7 +26,7 @@ from gripcourse.web.group import (
 )
 from gripcourse.web.overview import flags_of, titles_of
 from gripcourse.web.pages import notice, page, visitor_words
-from gripcourse.web.rates import SIGN_INS
+from gripcourse.web.rates import REFUSED_SIGN_INS
 from gripcourse.web.refusals import NOT_FOUND, SIGN_IN, WebRefusal
 from gripcourse.web.seat import COOKIE, Answer, Seat, desk_route
 from gripcourse.web.site import Site
@@ -46,10 +46,10 @@ def instructor_routes(site: Site) -> list[Route]:
         return page(site, request, "sign_in", words, {"token": request.path_params["token"]})
 
     async def signing_in(request: Request) -> Response:
-        count(site, SIGN_INS, address_of(request))
         token = str(request.path_params["token"])
         session = await run_in_threadpool(sign_in, site.context, token, site.clock())
         if session is None:
+            count(site, REFUSED_SIGN_INS, address_of(request))
             words = visitor_words(site, request)
             return notice(site, request, words, SIGN_IN.said, HTTPStatus.FORBIDDEN)
         root = str(request.scope.get("root_path", ""))

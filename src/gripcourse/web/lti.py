@@ -13,7 +13,7 @@ from http import HTTPStatus
 from typing import Final
 from urllib.parse import parse_qsl, urlencode
 
-from anyio import CapacityLimiter, to_thread
+from anyio import CapacityLimiter, fail_after, to_thread
 from starlette.concurrency import run_in_threadpool
 from starlette.exceptions import HTTPException
 from starlette.requests import Request
@@ -34,7 +34,7 @@ from gripcourse.usecases.serving.sign_in import offer_sign_in
 from gripcourse.web.guard import content_policy
 from gripcourse.web.pages import notice, page, visitor_words
 from gripcourse.web.queues import Queues
-from gripcourse.web.rates import LAUNCHES, REFUSED_LINKS
+from gripcourse.web.rates import REFUSED_LINKS
 from gripcourse.web.site import Site
 from gripcourse.web.uploads import address_of, count
 
@@ -44,6 +44,7 @@ LINK_HOURS: Final = 12
 """How long the personal link is good that a student gets by a launch."""
 
 _LARGEST_FORM: Final = 100_000
+_SECONDS_OF_FORM: Final = 30.0
 _MOST_FIELDS: Final = 50
 _BROWSER_BYTES: Final = 24
 _LONGEST_COOKIE: Final = 100
@@ -71,6 +72,10 @@ _SAID: Final[Mapping[LaunchRefusal, Message]] = {
     ),
     LaunchRefusal.KEYS: message(
         "Your learning platform cannot be asked now whether this is from it. Try again later."
+    ),
+    LaunchRefusal.DENIED: message(
+        "Your learning platform did not say who you are. Sign in there, and open the assignment"
+        " there again."
     ),
     LaunchRefusal.ROLE: message(
         "Your learning platform does not say that you are a student or an instructor of its course."
@@ -162,31 +167,37 @@ async def _fields(request: Request) -> Mapping[str, str]:
     """Return the fields of a form or of the query; the first of each name.
 
     Raises:
-        HTTPException: it is too much.
+        HTTPException: it is too much, or too slow.
     """
     sent = request.url.query.encode()
-    if request.method == "POST":
-        sent = b""
-        async for part in request.stream():
-            sent += part
-            if len(sent) > _LARGEST_FORM:
-                raise HTTPException(HTTPStatus.REQUEST_ENTITY_TOO_LARGE)
     try:
+        if request.method == "POST":
+            with fail_after(_SECONDS_OF_FORM):
+                sent = await _short_body(request)
         pairs = parse_qsl(sent.decode(), keep_blank_values=True, max_num_fields=_MOST_FIELDS)
-    except ValueError as fault:
+    except (ValueError, TimeoutError) as fault:
         raise HTTPException(HTTPStatus.BAD_REQUEST) from fault
     return dict(reversed(pairs))
+
+
+async def _short_body(request: Request) -> bytes:
+    sent = b""
+    async for part in request.stream():
+        sent += part
+        if len(sent) > _LARGEST_FORM:
+            raise ValueError(_LARGEST_FORM)
+    return sent
 
 
 def _begin(door: Door, request: Request, fields: Mapping[str, str]) -> Response:
     """Ask the platform who it is that comes."""
     site = door.site
-    count(site, LAUNCHES, address_of(request))
     issuer, client, hint = (fields.get(name, "") for name in ("iss", "client_id", "login_hint"))
     found = [
         one for one in door.platforms() if one.issuer == issuer and client in {"", one.client_id}
     ]
     if len(found) != 1 or not hint:
+        count(site, REFUSED_LINKS, address_of(request))
         return _refusal(door, request, LaunchRefusedError(LaunchRefusal.PLATFORM))
     platform = found[0]
     if request.headers.get("sec-fetch-dest", "") in _IN_A_PAGE:
@@ -286,6 +297,8 @@ def _launch(door: Door, browser: str, fields: Mapping[str, str]) -> Launch:
     platform = next((one for one in door.platforms() if is_of(one, digest)), None)
     if platform is None:
         raise LaunchRefusedError(LaunchRefusal.PLATFORM)
+    if "error" in fields and "id_token" not in fields:
+        raise LaunchRefusedError(LaunchRefusal.DENIED, platform.name)
     nonce = nonce_of(door.signer, state)
     launch = read_launch(fields.get("id_token", ""), platform, door.keys, nonce, now)
     if not store_of(door.site.context).use_state(state, now):

@@ -116,7 +116,7 @@ def grading(seat: Seat) -> Response:
     site, live = seat.site, seat.request.query_params.get("live") == "yes"
     if site.graded is None:
         return seat.refuse(NOT_FOUND)
-    now = grading_now(site, site.graded)
+    now, rule = grading_now(site, site.graded), site.context.attempt_rule()
     values: dict[str, object] = {
         "progress": now.progress,
         "silent": now.silent,
@@ -126,6 +126,7 @@ def grading(seat: Seat) -> Response:
         "last": None if now.last is None else now.last.at,
         "graded": 0 if now.last is None else len(now.last.works),
         "waiting": now.waiting,
+        "all_works": rule is not None and rule.asks_for_all,
         "tables": names_of_tables(site),
         "batches": site.context.desk.batches()[: -_BATCHES - 1 : -1],
     }

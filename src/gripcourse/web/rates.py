@@ -14,8 +14,7 @@ CHECKS: Final = Allowance(30, 600)
 HAND_INS: Final = Allowance(20, 600)
 REQUESTS: Final = Allowance(20, 600)
 REFUSED_LINKS: Final = Allowance(60, 600)
-SIGN_INS: Final = Allowance(20, 600)
-LAUNCHES: Final = Allowance(2000, 600)  # a whole year may sit behind one address
+REFUSED_SIGN_INS: Final = Allowance(20, 600)
 
 
 class Counter:

@@ -96,8 +96,13 @@ NOT_FOUND: Final = WebRefusal(Code.NOT_FOUND, message("There is nothing at this 
 TOO_LARGE: Final = WebRefusal(
     Code.TOO_LARGE, message("The file is too large; a workbook may have at most 20 MB.")
 )
+TOO_LONG: Final = WebRefusal(Code.TOO_LARGE, message("More was sent than is taken here."))
 TOO_OFTEN: Final = WebRefusal(
     Code.TOO_OFTEN, message("That was too often. Wait ten minutes and try again.")
+)
+TOO_MANY_AT_ONCE: Final = WebRefusal(
+    Code.TOO_OFTEN,
+    message("Other files of yours are still on their way. Send this one when they have come."),
 )
 NO_FILE: Final = WebRefusal(
     Code.NO_FILE, message("No file came with it. Choose your workbook first.")

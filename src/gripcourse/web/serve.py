@@ -92,6 +92,8 @@ def serve(context: DeskContext, serving: Serving) -> None:
     """
     import uvicorn  # noqa: PLC0415 (only who serves pays for it)
 
+    from gripcourse.web.connections import EndingProtocol  # noqa: PLC0415 (likewise)
+
     site = make_site(context, serving)
     # No log of addresses: a personal link in a log is a key in a log.
     uvicorn.run(
@@ -102,5 +104,6 @@ def serve(context: DeskContext, serving: Serving) -> None:
         server_header=False,
         log_level="warning",
         timeout_graceful_shutdown=_SECONDS_TO_END,
+        http=EndingProtocol,
         ws="none",
     )

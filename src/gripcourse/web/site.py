@@ -11,6 +11,7 @@ from anyio import CapacityLimiter
 from gripcourse.machine.jobs.standing import StandingWorkers
 from gripcourse.usecases.serving.desk import DeskContext
 from gripcourse.web.batch import BatchReader, OwnBatch
+from gripcourse.web.queues import Uploads
 from gripcourse.web.rates import Counter
 
 _MOST_WAITING: Final = 10  # of the forty threads that answer requests
@@ -31,6 +32,7 @@ class Site:
         batches: what was graded last, read when it changed.
         own_batch: what this server itself began to grade.
         waiting: how many may wait for a worker at once; who hands in never stands behind them.
+        uploads: files that are on their way.
     """
 
     context: DeskContext
@@ -43,3 +45,4 @@ class Site:
     batches: BatchReader = field(default_factory=BatchReader)
     own_batch: OwnBatch = field(default_factory=OwnBatch)
     waiting: CapacityLimiter = field(default_factory=lambda: CapacityLimiter(_MOST_WAITING))
+    uploads: Uploads = field(default_factory=Uploads)

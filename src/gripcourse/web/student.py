@@ -24,6 +24,7 @@ from gripcourse.text.units import stands_close
 from gripcourse.text.words import Words, message
 from gripcourse.usecases.issuing.handout import sheet_path, workbook_path
 from gripcourse.usecases.publishing.publish import ShownResult, published_to
+from gripcourse.usecases.serving.counted import which_counts
 from gripcourse.usecases.serving.hand_in import is_late, kept_path, receipt_of
 from gripcourse.usecases.serving.links import open_link, signed_for
 from gripcourse.variants.model import Issued
@@ -37,7 +38,14 @@ from gripcourse.web.pages import (
     visitor_words,
 )
 from gripcourse.web.rates import REFUSED_LINKS
-from gripcourse.web.refusals import LINK_SAID, NO_FILE, NOT_FOUND, Code, WebRefusal
+from gripcourse.web.refusals import (
+    LINK_SAID,
+    NO_FILE,
+    NOT_FOUND,
+    TOO_MANY_AT_ONCE,
+    Code,
+    WebRefusal,
+)
 from gripcourse.web.site import Site
 from gripcourse.web.uploads import Sent, address_of, count, read_form
 
@@ -126,11 +134,15 @@ def _opened(site: Site, answer: Answer) -> Callable[[Request], Awaitable[Respons
             return notice(site, request, words, LINK_SAID[issued], status)
         visit = Visit(site, request, issued, Sent({}, None))
         remember_visitor(request, visit.words, visit.home)
-        if request.method == "POST":
+        if request.method != "POST":
+            return await run_in_threadpool(answer, visit)
+        with site.uploads.one_more(visit.student) as taken:
+            if not taken:
+                return visit.refuse(TOO_MANY_AT_ONCE)
             visit = replace(visit, sent=await read_form(request))
-        # Checks wait for workers, which must not take the threads of those who hand in.
-        limiter = site.waiting if answer is check else None
-        return await to_thread.run_sync(answer, visit, limiter=limiter)
+            # Checks wait for workers, which must not take the threads of those who hand in.
+            limiter = site.waiting if answer is check else None
+            return await to_thread.run_sync(answer, visit, limiter=limiter)
 
     return endpoint
 
@@ -160,6 +172,7 @@ def home(visit: Visit) -> Response:
         "left": acts.checks_left(visit.site, visit.student),
         "times": rule.times,
         "hand_ins": context.desk.hand_ins(visit.student),
+        "which_counts": words.say(which_counts(context.policy.attempts)),
         "published": None if published is None else _results(published, titles),
         "requests": [
             (titles.get(one.item, one.item), one.sentence, one.at)

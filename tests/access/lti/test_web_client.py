@@ -11,9 +11,9 @@ from typing import Final
 
 import httpx2
 import pytest
-from joserfc.jwk import KeySet
+from joserfc.jwk import KeySet, RSAKey
 
-from gripcourse.access.lti.given_access import Access
+from gripcourse.access.lti.given_access import Access, open_access
 from gripcourse.access.lti.launch import MEMBERS_SCOPE, SCORE_SCOPE
 from gripcourse.access.lti.platforms import Platform
 from gripcourse.access.lti.refused import PlatformFailedError
@@ -145,6 +145,7 @@ def paging(following: Callable[[int], str], asked: list[str]) -> Iterator[Platfo
 
 
 MEMBERS: Final = "https://lms.example/members"
+OUR_KEY: Final = KeySet([RSAKey.generate_key(2048)])
 
 
 @pytest.mark.parametrize(
@@ -167,6 +168,29 @@ def test_pages_that_lead_elsewhere_or_nowhere_make_no_half_roster(
     with paging(following, asked) as client, pytest.raises(PlatformFailedError, match=said):
         students_of(granted(client, MEMBERS_SCOPE), MEMBERS)
     assert {httpx2.URL(one).host for one in asked} == {"lms.example"}
+
+
+def test_a_course_of_ever_more_people_ends(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("gripcourse.access.lti.services._MOST_PEOPLE", 3)
+    asked: list[str] = []
+    with (
+        paging(lambda number: f"{MEMBERS}?page={number}", asked) as client,
+        pytest.raises(PlatformFailedError, match="do not end"),
+    ):
+        students_of(granted(client, MEMBERS_SCOPE), MEMBERS)
+    assert len(asked) == 4
+
+
+@pytest.mark.parametrize("token", ["", " ", "a b", "a\r\nX: y", "é"])
+def test_access_that_cannot_be_shown_is_none(token: str) -> None:
+    def answer(_: httpx2.Request) -> httpx2.Response:
+        return httpx2.Response(200, json={"access_token": token})
+
+    with (
+        make_client(httpx2.MockTransport(answer)) as client,
+        pytest.raises(PlatformFailedError, match="gave no access"),
+    ):
+        open_access(Access(client, declared(MEMBERS), OUR_KEY, lambda: NOW), [MEMBERS_SCOPE])
 
 
 def test_the_next_page_may_be_named_from_the_one_before() -> None:

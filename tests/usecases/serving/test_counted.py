@@ -1,27 +1,34 @@
 """The desk tells of every student what grading tells: which work counts, and what is left of it."""
 
-from collections.abc import Mapping
+import hashlib
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
-from datetime import UTC, datetime
+from datetime import UTC, datetime, timedelta
 from pathlib import Path
 from typing import TYPE_CHECKING
+from unittest.mock import patch
+from zoneinfo import ZoneInfo
 
 import pytest
 
 from gripcourse.access.desk.store import open_desk
 from gripcourse.batch.graded import Graded
 from gripcourse.batch.one_file import GradingContext, grade_file
-from gripcourse.cli.demo.students import correct
+from gripcourse.cli.demo.students import blank, correct
 from gripcourse.gradebook.timing import Waiver
 from gripcourse.grading.model import Report
+from gripcourse.machine.content import NamedBytes
 from gripcourse.machine.database.home import home_of
 from gripcourse.policy.time_rules import AttemptRule, Counts, LateRule
+from gripcourse.usecases.grading.collect import collect
 from gripcourse.usecases.marks.gradebook import keep
-from gripcourse.usecases.marks.handed_in import HandingTime
+from gripcourse.usecases.marks.handed_in import HandingTime, handed_in_times
 from gripcourse.usecases.marks.waive import waive
-from gripcourse.usecases.serving.counted import counted_works
+from gripcourse.usecases.serving.begin_grading import begin_grading
+from gripcourse.usecases.serving.counted import counted_works, which_counts
 from gripcourse.usecases.serving.desk import DeskContext
 from gripcourse.usecases.serving.figures import group_figures
+from gripcourse.usecases.serving.hand_in import hand_in
 from gripcourse.web.group import rows_of
 from support.classroom import KEY, forget_one_jaw
 
@@ -52,6 +59,26 @@ class Term:
             times[str(work)] = HandingTime(datetime(2026, 12, day, 12, tzinfo=UTC), said=True)
         kept = keep(graded, context, home_of(self.context.course.root), NOW, times)
         return {name: one.report for name, one in zip(days, kept, strict=True)}
+
+    def bring(self, student: str, works: Sequence[Path]) -> None:
+        """Hand works in at the server, each an hour after what came before."""
+        issued, before = self.context.register()[student], self.context.desk.hand_ins(student)
+        for number, work in enumerate(works, start=len(before)):
+            at = NOW + timedelta(hours=number)
+            hand_in(self.context, issued, NamedBytes(work.name, work.read_bytes()), at)
+
+    def grade_collected(self) -> list[str]:
+        """Grade as the server has it done; return the digests of what it collected, as it came."""
+        with patch("subprocess.Popen") as begun:
+            begin_grading(self.context, self.folder, 0, "Dr. Ray")
+        (command,) = begun.call_args.args
+        said = [one.partition("=")[2] for one in command if one.startswith("--handed-in=")]
+        files = collect([Path(command[4])]).files
+        context = GradingContext(self.context.course, self.context.policy, self.context.register())
+        graded = [Graded(grade_file(one, context), "") for one in files]
+        times = handed_in_times(said, files, ZoneInfo("UTC"))
+        kept = keep(graded, context, home_of(self.context.course.root), NOW, times)
+        return [one.report.digest for one in kept]
 
     def waive(self, student: str) -> None:
         waiver = Waiver(student, 0, None, False, "Dr. Ray", NOW, "Hospital.")
@@ -99,3 +126,57 @@ def test_of_several_works_the_desk_takes_the_one_that_grading_takes(term: Term) 
         assert [(one.digest, one.earned) for one in counting] == [
             (found.attempt.digest, pytest.approx(found.earned))
         ]
+
+
+def test_of_works_that_came_by_the_server_that_one_counts_which_the_policy_names(
+    term: Term, tmp_path: Path
+) -> None:
+    """The best came before the last: who gives up the one for the other has both handed in."""
+    works = [
+        term.classroom.hand_in("s01", behaviour, tmp_path / f"{behaviour.__name__}.xlsx")
+        for behaviour in (forget_one_jaw, correct, blank)
+    ]
+    term.bring("s01", works)
+    first, best, last = (hashlib.sha256(one.read_bytes()).hexdigest() for one in works)
+    for rule, collected, counting in (
+        (None, [last], last),
+        (AttemptRule(Counts.LAST, 0), [last], last),
+        (AttemptRule(Counts.BEST, 0), [first, best, last], best),
+        (AttemptRule(Counts.FIRST, 0), [first, best, last], first),
+        (AttemptRule(Counts.LAST, 2), [first, best, last], best),
+    ):
+        ruled = term.ruled(None, rule)
+        assert ruled.grade_collected() == collected
+        assert counted_works(ruled.context)["s01"].attempt.digest == counting
+
+
+def test_a_work_that_is_handed_in_again_after_another_is_the_last_one(
+    term: Term, tmp_path: Path
+) -> None:
+    """Each was graded before the next came: the gradebook knows the first from the first batch."""
+    first, second = (
+        term.classroom.hand_in("s01", behaviour, tmp_path / f"{behaviour.__name__}.xlsx")
+        for behaviour in (correct, blank)
+    )
+    for rule in (AttemptRule(Counts.LAST, 0), None):
+        ruled = term.ruled(None, rule)
+        for work in (first, second, first):
+            ruled.bring("s01", [work])
+            collected = [hashlib.sha256(work.read_bytes()).hexdigest()]
+            assert ruled.grade_collected() == collected
+            assert [counted_works(ruled.context)["s01"].attempt.digest] == collected
+
+
+def test_a_student_is_told_which_workbook_counts() -> None:
+    rules = (None, *(AttemptRule(counts, most) for most in (0, 3) for counts in Counts))
+    rules += (AttemptRule(Counts.LAST, 1),)
+    assert [str(which_counts(one)) for one in rules] == [
+        "The last workbook counts.",
+        "The first workbook counts.",
+        "The last workbook counts.",
+        "The best workbook counts.",
+        "The first workbook counts.",
+        "Of the first 3 workbooks the last one counts.",
+        "Of the first 3 workbooks the best one counts.",
+        "The first workbook counts.",
+    ]

@@ -1,5 +1,6 @@
 """What a platform lets us do for a while: asked for, asked for again, and used with patience."""
 
+import re
 import secrets
 import time
 from collections.abc import Callable, Iterable
@@ -18,6 +19,7 @@ from gripcourse.text.words import message
 
 _ASSERTION: Final = "urn:ietf:params:oauth:client-assertion-type:jwt-bearer"
 _ASSERTION_SECONDS: Final = 60
+_TOKEN: Final = re.compile(r"[!-~]+")
 _PASSES: Final = frozenset({PlatformFailure.AWAY, PlatformFailure.BUSY, PlatformFailure.BROKEN})
 
 
@@ -110,7 +112,7 @@ def _bearing(question: PlatformQuestion, token: str) -> PlatformQuestion:
 def _new_token(access: Access, scope: str) -> str:
     answer = _patiently(access.patience, lambda: _asked_for(access, scope))
     match answer.content:
-        case {"access_token": str(token)} if token.isascii() and token.isprintable():
+        case {"access_token": str(token)} if _TOKEN.fullmatch(token):
             return token
     raise PlatformFailedError(message("The platform gave no access."))
 

@@ -111,7 +111,11 @@ class KeySets:
             return None
         match content:
             case {"keys": list(found)}:
-                return dict(filter(None, map(_signing_key, found[:_MOST_KEYS])))
+                keys = dict(filter(None, map(_signing_key, found[:_MOST_KEYS])))
+                if not keys:
+                    _log.warning("no keys from %s: none of %d can be used", url, len(found))
+                return keys
+        _log.warning("no keys from %s: the answer is no set of keys", url)
         return None
 
 

@@ -121,7 +121,7 @@ def is_safe(address: str) -> bool:
     """Tell whether an address may be asked: by https, or on this machine for a trial."""
     try:
         parts = urlsplit(address)
-        host = parts.hostname or ""
+        host, _ = parts.hostname or "", parts.port  # one that is no port raises
     except ValueError:
         return False
     if not host or parts.username is not None or not address.isprintable() or " " in address:
@@ -218,7 +218,8 @@ def _refuse_doubles(table: Table, found: Mapping[str, Platform]) -> None:
 
 
 def _toml(value: object) -> str:
-    return json.dumps(_plain(value), ensure_ascii=True)
+    """Write a text or texts as TOML does: like JSON, but it knows no pairs of half signs."""
+    return json.dumps(_plain(value), ensure_ascii=False).replace("\x7f", "\\u007f")
 
 
 def _plain(value: object) -> object:

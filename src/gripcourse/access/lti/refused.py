@@ -14,6 +14,7 @@ class LaunchRefusal(StrEnum):
     USED = "used"  # a second time
     BROWSER = "browser"  # began in another one, or without cookies
     KEYS = "keys"  # the platform does not tell with which keys it signs
+    DENIED = "denied"  # the platform brings an error in the place of a token
     FORM = "form"  # no token at all
     ALGORITHM = "algorithm"
     KEY = "key"  # signed with one that the platform does not name

@@ -29,6 +29,10 @@ _LINE_ITEM: Final = "application/vnd.ims.lis.v2.lineitem+json"
 _LINE_ITEMS: Final = "application/vnd.ims.lis.v2.lineitemcontainer+json"
 _MEMBERS: Final = "application/vnd.ims.lti-nrps.v2.membershipcontainer+json"
 _MOST_PAGES: Final = 1000
+_MOST_PEOPLE: Final = 50_000
+"""Of a course; a platform that always names others must not fill the memory."""
+
+_ENDLESS: Final = message("The pages of the platform do not end.")
 _NOT_TAKEN: Final = message(
     "The platform takes no score of this student: look whether it still has the student in its"
     " course"
@@ -127,6 +131,8 @@ def students_of(access: Access, members: str) -> tuple[Person, ...]:
         match page.content:
             case {"members": list(listed)}:
                 found += [one for one in map(_student, listed) if one is not None]
+                if len(found) > _MOST_PEOPLE:
+                    raise PlatformFailedError(_ENDLESS)
             case _:
                 raise PlatformFailedError(message("The platform named no members."))
     return tuple(found)
@@ -160,7 +166,7 @@ def _pages(access: Access, scope: str, address: str, kind: str) -> Iterable[Plat
         if not is_of_platform(access.platform, address) or origin_of(address) != home:
             raise PlatformFailedError(message("The platform named a page on another machine."))
         if address in seen or len(seen) == _MOST_PAGES:
-            raise PlatformFailedError(message("The pages of the platform do not end."))
+            raise PlatformFailedError(_ENDLESS)
         seen.add(address)
         page = _page(access, scope, address, kind)
         yield page

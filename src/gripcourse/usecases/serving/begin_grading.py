@@ -3,10 +3,13 @@
 import shutil
 import subprocess
 import sys
+from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Final
 
+from gripcourse.access.desk.model import HandIn
 from gripcourse.errors import Problem, UsageError
+from gripcourse.policy.time_rules import zone_of
 from gripcourse.text.words import message
 from gripcourse.usecases.serving.desk import DeskContext
 from gripcourse.usecases.serving.hand_in import collect_hand_ins
@@ -19,7 +22,7 @@ _LOG: Final = "grading.log"
 def begin_grading(
     context: DeskContext, graded: Path, workers: int, by: str, why: str = ""
 ) -> "subprocess.Popen[bytes]":
-    """Collect the last workbook of everybody, and begin to grade them.
+    """Collect the workbooks of everybody that may count, and begin to grade them.
 
     Args:
         context: of the course.
@@ -44,8 +47,24 @@ def begin_grading(
         *("--workers", str(workers), f"--by={by}", f"--why={why}"),
     ]
     # Who handed a file in is known by the link that it came by, whatever the file says.
-    command += [f"--whose={path}={student}" for student, path in collected.items()]
+    command += [f"--whose={path}={one.student}" for path, one in collected.items()]
+    command += _handed_in_again(context, collected)
     with (context.private / _LOG).open("wb") as log:
         return subprocess.Popen(  # noqa: S603 (ourselves, and paths of our own)
             command, stdin=subprocess.DEVNULL, stdout=log, stderr=subprocess.STDOUT
         )
+
+
+def _handed_in_again(context: DeskContext, collected: Mapping[Path, HandIn]) -> Iterator[str]:
+    """Say when those works came of which the student had handed in the same bytes before.
+
+    The gradebook knows them by their bytes, from when they were graded first: what was handed in
+    between would count as the last one.
+    """
+    first: dict[tuple[str, str], int] = {}
+    for one in context.desk.hand_ins():
+        first.setdefault((one.student, one.digest), one.number)
+    zone = zone_of(context.policy.late)
+    for path, one in collected.items():
+        if one.number > first[one.student, one.digest]:
+            yield f"--handed-in={path}={one.at.astimezone(zone):%Y-%m-%d %H:%M:%S}"

@@ -13,8 +13,9 @@ from gripcourse.course.read import course_address, course_id
 from gripcourse.issuing.signature import key_path, read_key
 from gripcourse.issuing.store import VerifiedRegister
 from gripcourse.machine.database.home import home_of
-from gripcourse.policy.load import load_policy
+from gripcourse.policy.load import attempt_rule_of, load_policy
 from gripcourse.policy.model import Policy
+from gripcourse.policy.time_rules import AttemptRule
 from gripcourse.usecases.serving.deadlines import DeskDeadlines
 from gripcourse.variants.model import Issued
 
@@ -45,6 +46,9 @@ class DeskBooks(Protocol):
     def register(self) -> Mapping[str, Issued]:
         """Return what was issued up to now, by student."""
 
+    def attempt_rule(self) -> AttemptRule | None:
+        """Return which of several works of a student counts; None where no rule says it."""
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class KeptBooks:
@@ -68,6 +72,10 @@ class KeptBooks:
     def register(self) -> Mapping[str, Issued]:
         """Return what was issued up to now, by student."""
         return VerifiedRegister(self.root, self.course_id, self.desk.engine).read().by_student()
+
+    def attempt_rule(self) -> AttemptRule | None:
+        """Return which of several works of a student counts; None where no rule says it."""
+        return attempt_rule_of(self.root)
 
     @property
     def private(self) -> Path:
@@ -108,6 +116,10 @@ class DeskContext:
     def register(self) -> Mapping[str, Issued]:
         """Return what was issued up to now, by student."""
         return self.issued.read().by_student()
+
+    def attempt_rule(self) -> AttemptRule | None:
+        """Return which of several works of a student counts; None where no rule says it."""
+        return self.policy.attempts
 
     @property
     def course_id(self) -> str:

@@ -21,6 +21,8 @@ from gripcourse.variants.model import Issued
 
 _MOST: Final = 200_000_000
 """Bytes that one student may keep here: a term of large workbooks many times over."""
+_MOST_FILES: Final = 200
+"""Files of one student: where all that may count are graded, a flood of them stops a batch."""
 _NAMELESS: Final = "file"
 _LONGEST_NAME: Final = 120
 _LONGEST_SUFFIX: Final = 10
@@ -76,8 +78,9 @@ def hand_in(
         raise _refusal(
             message("The file is empty."), message("Choose your workbook once more, saved.")
         )
-    used = sum(one.size for one in context.desk.hand_ins(student))
-    if used + len(file.data) > _MOST:
+    known = context.desk.hand_ins(student)
+    used = sum(one.size for one in known)
+    if used + len(file.data) > _MOST or len(known) >= _MOST_FILES:
         raise _refusal(
             message("There is no more room for your files."), message("Ask your instructor.")
         )
@@ -147,29 +150,60 @@ def _may_hold_answers(context: DeskBooks, one: HandIn) -> bool:
         return True
 
 
+def may_count(context: DeskBooks, hand_ins: Iterable[HandIn]) -> dict[str, tuple[HandIn, ...]]:
+    """Return the workbooks of each student that are graded, in the order of handing in.
+
+    The last one; where the policy counts the first, the best or only so many, all that may hold
+    answers, each once: the gradebook tells which of them counts, and must know them.
+
+    Raises:
+        CourseError: the policy cannot be read.
+        OSError: a file cannot be read.
+    """
+    kept, rule = tuple(hand_ins), context.attempt_rule()
+    last = latest(context, kept)
+    found: dict[str, tuple[HandIn, ...]] = {student: (one,) for student, one in last.items()}
+    if rule is None or not rule.asks_for_all:
+        return found
+    works: dict[str, dict[str, HandIn]] = {}
+    for one in kept:
+        if not one.is_drawing and _may_hold_answers(context, one):
+            works.setdefault(one.student, {}).setdefault(one.digest, one)
+    return found | {student: tuple(of.values()) for student, of in works.items()}
+
+
 def name_in_folder(one: HandIn) -> str:
     """Return what the last workbook of a student is called for grading: like its student."""
     suffix = PurePath(one.name).suffix.lower()
     return f"{one.student}{suffix if suffix.isascii() else ''}"
 
 
-def collect_hand_ins(context: DeskBooks, out: Path) -> Mapping[str, Path]:
-    """Write the last workbook of each student into a folder, called like the student, for grading.
+def collect_hand_ins(context: DeskBooks, out: Path) -> Mapping[Path, HandIn]:
+    """Write the workbooks that may count into a folder, for grading.
+
+    One of a student is called like the student; several stand in a folder that is, numbered like
+    their receipts.
 
     Returns:
-        The file of each student.
+        What was handed in, by the file that was written.
 
     Raises:
+        CourseError: the policy cannot be read.
         OSError: a file cannot be read or written.
     """
     make_private_folder(out)
-    written: dict[str, Path] = {}
-    for student, one in latest(context, context.desk.hand_ins()).items():
-        path = out / name_in_folder(one)
-        write_bytes(path, kept_path(context, one.digest).read_bytes(), private=True)
-        # Lateness is counted from when it was handed in, not from when it was collected.
-        os.utime(path, (one.at.timestamp(),) * 2)
-        written[student] = path
+    written: dict[Path, HandIn] = {}
+    for student, works in may_count(context, context.desk.hand_ins()).items():
+        for one in works:
+            name = name_in_folder(one)
+            path = out / name
+            if len(works) > 1:
+                make_private_folder(out / student)
+                path = out / student / f"receipt-{one.number:03}{PurePath(name).suffix}"
+            write_bytes(path, kept_path(context, one.digest).read_bytes(), private=True)
+            # Lateness is counted from when it was handed in, not from when it was collected.
+            os.utime(path, (one.at.timestamp(),) * 2)
+            written[path] = one
     return written
 
 

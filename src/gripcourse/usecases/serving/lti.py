@@ -176,8 +176,17 @@ def _found(register: Mapping[str, Issued], launch: Launch) -> str | NotTold:
 def _fits(rule: UserRule, issued: Issued, person: Person) -> bool:
     if rule is UserRule.SOURCEDID:
         return person.sourcedid != "" and person.sourcedid == issued.student.id
-    email = person.email.strip().casefold()
-    return email != "" and email == issued.student.email.strip().casefold()
+    email = _mailbox(person.email)
+    return email != "" and email == _mailbox(issued.student.email)
+
+
+def _mailbox(email: str) -> str:
+    """Return an address of mail as it is compared: of ASCII letters the size means nothing.
+
+    Other letters are not folded: the sign of kelvin would be a k, and whoever gets an address with
+    that sign would be the student whose address has the letter.
+    """
+    return "".join(one.lower() if one.isascii() else one for one in email.strip())
 
 
 def _holds(bond: Bond, key: UserKey, student: str) -> bool:

@@ -1,6 +1,7 @@
 """The part of the application that programs ask; see `declare` for what there is."""
 
 from collections.abc import Awaitable, Callable, Mapping
+from contextlib import ExitStack
 from itertools import groupby
 from typing import Any, Final
 
@@ -23,6 +24,7 @@ from gripcourse.web.rates import REFUSED_LINKS
 from gripcourse.web.refusals import (
     LINK_SAID,
     SIGN_IN,
+    TOO_MANY_AT_ONCE,
     Code,
     WebRefusal,
 )
@@ -86,30 +88,35 @@ def _endpoint(
 ) -> Callable[[Request], Awaitable[Response]]:
     async def endpoint(request: Request) -> Response:
         operation = by_method["GET" if request.method == "HEAD" else request.method]
-        call = await _call(site, operation, request)
-        if isinstance(call, WebRefusal | NotUsable):
-            return problem(call, visitor_words(site, request))
-        limiter = site.waiting if operation.waits else None
-        made = await to_thread.run_sync(operation.answer, call, limiter=limiter)
+        with ExitStack() as while_answering:
+            call = await _call(site, operation, request, while_answering)
+            if isinstance(call, WebRefusal | NotUsable):
+                return problem(call, visitor_words(site, request))
+            limiter = site.waiting if operation.waits else None
+            made = await to_thread.run_sync(operation.answer, call, limiter=limiter)
         return _response(operation, made, call.words)
 
     return endpoint
 
 
 async def _call(
-    site: Site, operation: ApiOperation, request: Request
+    site: Site, operation: ApiOperation, request: Request, while_answering: ExitStack
 ) -> StudentCall | DeskCall | WebRefusal | NotUsable:
     """Find out who asks, and only then read what was sent."""
     scheme, _, token = request.headers.get("authorization", "").partition(" ")
     if scheme.lower() != "bearer" or not token.strip():
         return _NO_TOKEN
     if operation.role is TokenRole.STUDENT:
-        return await _student_call(site, operation, request, token.strip())
+        return await _student_call(site, operation, request, token.strip(), while_answering)
     return await _desk_call(site, operation, request, token.strip())
 
 
 async def _student_call(
-    site: Site, operation: ApiOperation, request: Request, token: str
+    site: Site,
+    operation: ApiOperation,
+    request: Request,
+    token: str,
+    while_answering: ExitStack,
 ) -> StudentCall | WebRefusal | NotUsable:
     issued = await run_in_threadpool(open_link, site.context, token, site.clock())
     if isinstance(issued, Refused):
@@ -120,6 +127,9 @@ async def _student_call(
         return WebRefusal(_CODES[issued], LINK_SAID[issued])
     words = _words(site, request, issued)
     remember_visitor(request, words)
+    sends = operation.takes is not None
+    if sends and not while_answering.enter_context(site.uploads.one_more(issued.student.id)):
+        return TOO_MANY_AT_ONCE
     body = await read_body(operation, request)
     if isinstance(body, WebRefusal | NotUsable):
         return body

@@ -11,7 +11,7 @@ from gripcourse.exports.plain import from_plain
 from gripcourse.machine.content import NamedBytes
 from gripcourse.text.words import message
 from gripcourse.web.guard import declares_too_much
-from gripcourse.web.refusals import TOO_LARGE, Code, WebRefusal
+from gripcourse.web.refusals import TOO_LONG, Code, WebRefusal
 from gripcourse.web.rest.declare import ApiOperation
 from gripcourse.web.rest.problems import NotUsable
 from gripcourse.web.uploads import read_form
@@ -34,7 +34,7 @@ async def read_body(operation: ApiOperation, request: Request) -> Any | WebRefus
         return (await read_form(request)).file
     data = await _bytes_of(request)
     if data is None:
-        return TOO_LARGE
+        return TOO_LONG
     try:
         plain = json.loads(data or b"{}")
     except (ValueError, RecursionError):

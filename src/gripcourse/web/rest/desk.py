@@ -11,7 +11,7 @@ from gripcourse.usecases.serving.hand_in import kept_path, receipt_of
 from gripcourse.usecases.serving.sign_in import SESSION_HOURS, sign_in
 from gripcourse.web import acts
 from gripcourse.web.group import GroupMember, Wish, groups_of, row_of, rows_of
-from gripcourse.web.rates import SIGN_INS
+from gripcourse.web.rates import REFUSED_SIGN_INS
 from gripcourse.web.refusals import NOT_FOUND, NOT_PUBLISHED, SIGN_IN, Code, WebRefusal
 from gripcourse.web.rest.declare import ApiOperation, DeskCall, SentFile, TokenRole
 from gripcourse.web.rest.desk_results import (
@@ -39,9 +39,9 @@ from gripcourse.web.uploads import address_of, count
 def begin_session(call: DeskCall) -> SessionResult | WebRefusal:
     """Sign in by a token of `gripcourse sign-in`; each is good once."""
     site = call.site
-    count(site, SIGN_INS, address_of(call.request))
     session = sign_in(site.context, call.token, site.clock())
     if session is None:
+        count(site, REFUSED_SIGN_INS, address_of(call.request))
         return SIGN_IN
     name = site.context.desk.session_name(session, site.clock())
     return SessionResult(session, name or "", SESSION_HOURS)

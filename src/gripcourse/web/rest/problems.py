@@ -9,9 +9,10 @@ from starlette.responses import JSONResponse
 from gripcourse.errors import Problem
 from gripcourse.exports.plain import to_plain
 from gripcourse.text.words import Words, message
-from gripcourse.web.refusals import Code, WebRefusal
+from gripcourse.web.refusals import TOO_MANY_AT_ONCE, Code, WebRefusal
 
 MEDIA: Final = "application/problem+json"
+_SECONDS_OF_UPLOAD: Final = "5"
 _NOT_USABLE: Final = WebRefusal(
     Code.NOT_USABLE, message("What was sent is not as the description of this call says.")
 )
@@ -74,4 +75,6 @@ def problem(why: WebRefusal | NotUsable, words: Words) -> JSONResponse:
     if why.status is HTTPStatus.UNAUTHORIZED:
         invalid = "" if why.code is Code.NO_TOKEN else ' error="invalid_token"'
         headers["WWW-Authenticate"] = f"Bearer{invalid}"
+    if why is TOO_MANY_AT_ONCE:
+        headers["Retry-After"] = _SECONDS_OF_UPLOAD
     return JSONResponse(to_plain(made), why.status, headers, MEDIA)

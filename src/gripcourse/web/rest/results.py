@@ -67,7 +67,7 @@ class StatusResult:
         compares: whether a check also tells whether numbers fit each other.
         checks_left: how often that will be told.
         checks_most: how often in all.
-        hand_ins: receipts, the last file counts.
+        hand_ins: receipts, oldest first.
         published: whether results can be seen.
     """
 

@@ -68,7 +68,7 @@ def check(call: StudentCall) -> CheckResult | WebRefusal:
 
 
 def hand_in(call: StudentCall) -> ReceiptResult | WebRefusal:
-    """Hand a file in. The last one counts; the same file right after is the same hand-in."""
+    """Hand a file in; the same file right after is the same hand-in."""
     made = acts.keep_file(call.site, call.issued, call.body)
     return made if isinstance(made, WebRefusal) else receipt_result(made)
 

@@ -114,7 +114,7 @@ def grading(call: DeskCall) -> GradingResult | WebRefusal:
 
 
 def begin_grading(call: DeskCall) -> GradingResult | WebRefusal:
-    """Begin to grade the last workbook of everybody; it is kept with your name."""
+    """Begin to grade the workbooks of everybody that may count; it is kept with your name."""
     wish: PublishingReason = call.body
     return begin_batch(call.site, call.name, wish.why) or grading(call)
 

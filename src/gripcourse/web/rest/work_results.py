@@ -154,7 +154,7 @@ class GradingResult:
         failed: whether the one that was begun here last did not come to its end.
         progress: how far it is; null where none has begun, or it is about to begin or to end.
         last: when files were graded last; null for never.
-        waiting: students whose last workbook a batch would grade.
+        waiting: workbooks that a batch would grade.
         batches: oldest first.
     """
 
