@@ -90,3 +90,14 @@ def test_a_converted_file_is_read_under_its_own_name_and_digest() -> None:
     assert again.file == "answers.ods"
     assert again.answers["force"].value == 80
     assert "converted" in str(again.remarks[-1])
+
+
+def test_a_text_that_libreoffice_would_cut_short_is_not_taken_from_it() -> None:
+    """Seen: Gnumeric writes 34,5 with a bold 3 so, and LibreOffice 7.4 opens it as a blank cell."""
+    kind = b"application/vnd.oasis.opendocument.spreadsheet"
+    cell = '<p xmlns="urn:oasis:names:tc:opendocument:xmlns:text:1.0"><span>3{}</span></p>'
+    for text, is_read in (("4,5", True), ("<span>4,5</span>", False)):
+        content = cell.format(text).encode()
+        data = archive({"mimetype": kind, "content.xml": content})
+        again = read_again(NamedBytes("answers.ods", data), COMPUTED)
+        assert isinstance(again, RawWorkbook) is is_read

@@ -9,7 +9,8 @@ from dataclasses import replace
 from pathlib import PurePath
 from typing import Final
 
-from gripcourse.machine.content import NamedBytes, Readable, shown_name
+from gripcourse.machine.content import NamedBytes, Readable, content_of, shown_name
+from gripcourse.machine.spreadsheet.open_document import loses_texts
 from gripcourse.submission.model import Rejected, WhyRefused
 from gripcourse.submission.raw import CellValue, OtherResult, RawCell, RawWorkbook
 from gripcourse.submission.read import read_workbook
@@ -60,7 +61,7 @@ def read_again(source: Readable, made: bytes) -> RawWorkbook | Rejected:
     if isinstance(first, RawWorkbook):
         others = tuple(_other_results(first, again))
         return replace(_with_results(first, again), other_results=others)
-    if first.code not in OTHER_FORMATS:
+    if first.code not in OTHER_FORMATS or loses_texts(content_of(source)):
         return first
     remarks = (*again.remarks, _CONVERTED)
     return replace(again, file=first.file, digest=first.digest, remarks=remarks)
