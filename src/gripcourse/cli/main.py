@@ -47,6 +47,7 @@ from gripcourse.cli.options import (
     TableOption,
     WorkersOption,
     chosen_words,
+    course_apart,
     course_folder,
     day_of,
     document_language,
@@ -189,7 +190,7 @@ def issue(  # noqa: PLR0913 (one parameter per option)
     words = words_for(language)
     if printed is not None:
         expect_file(printed)  # else everybody would be issued something before it is refused
-    loaded = load_course(course_folder(course))
+    loaded = load_course(course_apart(course, out))
     order = Order(
         roster=roster,
         table=table or main_table(loaded.root),
