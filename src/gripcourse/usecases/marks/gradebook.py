@@ -10,7 +10,7 @@ from typing import Final
 from gripcourse.batch.one_file import GradingContext
 from gripcourse.batch.run import Graded
 from gripcourse.gradebook.apply import as_it_stands, with_marks
-from gripcourse.gradebook.deadlines import Deadline, course_deadlines, deadline_of
+from gripcourse.gradebook.deadlines import Deadline, course_deadlines, deadline_by_rule
 from gripcourse.gradebook.fingerprint import fingerprints
 from gripcourse.gradebook.journal import Published, publications, told_works, waivers
 from gripcourse.gradebook.model import (
@@ -27,9 +27,8 @@ from gripcourse.gradebook.works import StudentWork, works_of
 from gripcourse.grading.folded import Shelf
 from gripcourse.grading.model import FlagCode, Report, Timing
 from gripcourse.machine.database.home import exists
-from gripcourse.policy.time_rules import Counts, LateRule
+from gripcourse.policy.time_rules import Counts
 from gripcourse.usecases.marks.handed_in import HandingTime
-from gripcourse.variants.model import Issued
 
 # Their attempts take some ten kilobytes each.
 _STUDENTS_AT_ONCE: Final = 200
@@ -179,7 +178,7 @@ def _kept(
             policy,
             works[name],
             latest_marks(entries[name]),
-            _deadline(keeping.context.register.get(name), keeping.deadlines, policy.late),
+            deadline_by_rule(keeping.context.register.get(name), keeping.deadlines, policy.late),
             keeping.waived.get(name, ()),
         )
         if timings:
@@ -244,14 +243,6 @@ def _to_add(
                 )
             )
     return kept
-
-
-def _deadline(
-    issued: Issued | None, deadlines: tuple[Deadline, ...], late: LateRule | None
-) -> datetime | None:
-    if issued is None or late is None:
-        return None
-    return deadline_of(issued, deadlines, late.time_zone)
 
 
 def _entered(report: Report, stands: Attempt | None, entries: Sequence[GradebookEntry]) -> Report:

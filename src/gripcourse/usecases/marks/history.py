@@ -6,9 +6,12 @@ from datetime import datetime
 
 from gripcourse.access.desk.model import GradedBatch
 from gripcourse.access.desk.store import batches_by_time
+from gripcourse.batch.one_file import GradingContext
 from gripcourse.errors import Problem, UsageError
+from gripcourse.gradebook.counted import counted_work
+from gripcourse.gradebook.deadlines import course_deadlines, deadline_by_rule
 from gripcourse.gradebook.journal import publications, regrades, waivers
-from gripcourse.gradebook.model import Attempt, GradebookEntry
+from gripcourse.gradebook.model import Attempt, GradebookEntry, latest_marks
 from gripcourse.gradebook.timing import Waiver
 from gripcourse.gradebook.works import in_order, points_of, works_of
 from gripcourse.text.shown import shown
@@ -87,6 +90,52 @@ def history(
             events.append(Event(told.signed.done_at, told.signed.person, said, ""))
     events += [_of_waiver(one) for one in waived.get(student, ())]
     return tuple(sorted(events, key=lambda one: one.at))
+
+
+def what_counts(place: str, student: str, context: GradingContext) -> Message | None:
+    """Say which work of a student counts, and what lateness leaves of its points.
+
+    Args:
+        place: of the gradebook: a path or a database URL.
+        student: id.
+        context: of the course, by whose policy and deadlines of today it is counted.
+
+    Returns:
+        The sentence; None where no rule asks for one, or where nothing was judged.
+
+    Raises:
+        GradebookError: there is no gradebook, or it cannot be used.
+        TableError: the table of deadlines cannot be used.
+    """
+    book, rule = existing_gradebook(place), context.policy.late
+    deadlines = course_deadlines(context.course.root, rule)
+    counted = counted_work(
+        context.policy,
+        works_of(book.standing({student})).get(student, ()),
+        latest_marks(book.entries({student})),
+        deadline_by_rule(context.register.get(student), deadlines, rule),
+        waivers(book).get(student, ()),
+    )
+    if counted is None or counted.timing is None:
+        return None
+    number, earned, sums = counted.timing.number, counted.earned, counted.sums
+    points, most = round(earned, _DECIMALS), round(sums.max_score, _DECIMALS)
+    if earned == sums.score:
+        return message(
+            "What counts today: attempt {number}, {points} of {most} points.",
+            number=number,
+            points=points,
+            most=most,
+        )
+    return message(
+        "What counts today: attempt {number}, {points} of {most} points; before lateness (days"
+        " late: {days}) {before}.",
+        number=number,
+        points=points,
+        most=most,
+        days=counted.timing.days_late,
+        before=round(sums.score, _DECIMALS),
+    )
 
 
 def _of_waiver(waiver: Waiver) -> Event:
