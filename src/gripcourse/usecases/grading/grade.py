@@ -13,6 +13,7 @@ from gripcourse.exports.report_json import said_in
 from gripcourse.gradebook.results import RESULTS, RESULTS_DIGEST
 from gripcourse.grading.model import Flag, FlagCode, Report
 from gripcourse.likeness.works import TYPED
+from gripcourse.machine.alone import writing_into
 from gripcourse.machine.content import Readable
 from gripcourse.machine.files import (
     discard_unfinished,
@@ -127,60 +128,69 @@ def write_results(  # noqa: PLR0913 (the last is what everybody leaves as it is)
         earlier: what an earlier run left.
         pool: kind of workers.
     """
-    _discard_unfinished(out)
-    plain = [one.report for one in graded]
-    peers = tuple(shares(counting(plain)))
-    printing = Printing(
-        context.course, context.policy, graded_on, peers=peers, declared=context.declared
-    )
-    printed = None if earlier is None else earlier.printed
-    outcomes: Sequence[Written] = [None] * len(plain)
-    if lay_out is not None:
-        outcomes = write_reports(
-            plain, printing, out / REPORTS, workers, on_done, lay_out, printed=printed, pool=pool
+    with writing_into(out) as alone:
+        if alone:
+            _discard_unfinished(out)
+        plain = [one.report for one in graded]
+        peers = tuple(shares(counting(plain)))
+        printing = Printing(
+            context.course, context.policy, graded_on, peers=peers, declared=context.declared
         )
-    reports = [_with_incident(*pair) for pair in zip(plain, outcomes, strict=True)]
-    written = {
-        report.file: path
-        for report, one in zip(reports, outcomes, strict=True)
-        if (path := one.path if isinstance(one, AsItWas) else one) and isinstance(path, Path)
-    }
-    incidents = [one.incident for one in graded if one.incident]
-    incidents += [
-        _told(one, f"report of {report.file}")
-        for report, one in zip(reports, outcomes, strict=True)
-        if isinstance(one, Lost)
-    ]
-    renew_tables(reports, context, out, passed_over, printed)
-    failed = None
-    if lay_out is not None:
-        failed = _print_cohort(reports, printing, out / COHORT_PDF, workers, printed)
-    if failed is not None:
-        incidents.append(_told(failed, COHORT_PDF))
-    if incidents:
-        write_text(out / INCIDENTS, "\n".join(incidents), private=True)
-    else:
-        # Those of an earlier run into the same folder have been mended.
-        (out / INCIDENTS).unlink(missing_ok=True)
-    cohort = None if failed is not None or lay_out is None else out / COHORT_PDF
-    return GradingOutcome(
-        reports=tuple(reports),
-        written=written,
-        cohort=cohort,
-        needs_person=failed is not None
-        or any(one.flags for one in reports)
-        or any(one.needs_person for one in passed_over),
-        passed_over=tuple(passed_over),
-        left_over=left_over(out, {*written.values(), *([] if cohort is None else [cohort])}),
-        taken_over=TakenOver(
-            results=sum(one.taken_over for one in graded),
-            reports=sum(isinstance(one, AsItWas) for one in outcomes),
-        ),
-        grades_only=lay_out is None,
-        missing=missing(reports, context),
-        cohort_fault="" if failed is None else failed.reason,
-        undated=_undated(reports) if context.policy.late is not None else (),
-    )
+        printed = None if earlier is None else earlier.printed
+        outcomes: Sequence[Written] = [None] * len(plain)
+        if lay_out is not None:
+            outcomes = write_reports(
+                plain,
+                printing,
+                out / REPORTS,
+                workers,
+                on_done,
+                lay_out,
+                printed=printed,
+                pool=pool,
+            )
+        reports = [_with_incident(*pair) for pair in zip(plain, outcomes, strict=True)]
+        written = {
+            report.file: path
+            for report, one in zip(reports, outcomes, strict=True)
+            if (path := one.path if isinstance(one, AsItWas) else one) and isinstance(path, Path)
+        }
+        incidents = [one.incident for one in graded if one.incident]
+        incidents += [
+            _told(one, f"report of {report.file}")
+            for report, one in zip(reports, outcomes, strict=True)
+            if isinstance(one, Lost)
+        ]
+        renew_tables(reports, context, out, passed_over, printed)
+        failed = None
+        if lay_out is not None:
+            failed = _print_cohort(reports, printing, out / COHORT_PDF, workers, printed)
+        if failed is not None:
+            incidents.append(_told(failed, COHORT_PDF))
+        if incidents:
+            write_text(out / INCIDENTS, "\n".join(incidents), private=True)
+        else:
+            # Those of an earlier run into the same folder have been mended.
+            (out / INCIDENTS).unlink(missing_ok=True)
+        cohort = None if failed is not None or lay_out is None else out / COHORT_PDF
+        return GradingOutcome(
+            reports=tuple(reports),
+            written=written,
+            cohort=cohort,
+            needs_person=failed is not None
+            or any(one.flags for one in reports)
+            or any(one.needs_person for one in passed_over),
+            passed_over=tuple(passed_over),
+            left_over=left_over(out, {*written.values(), *([] if cohort is None else [cohort])}),
+            taken_over=TakenOver(
+                results=sum(one.taken_over for one in graded),
+                reports=sum(isinstance(one, AsItWas) for one in outcomes),
+            ),
+            grades_only=lay_out is None,
+            missing=missing(reports, context),
+            cohort_fault="" if failed is None else failed.reason,
+            undated=_undated(reports) if context.policy.late is not None else (),
+        )
 
 
 def _undated(reports: Sequence[Report]) -> tuple[str, ...]:
