@@ -27,6 +27,7 @@ from gripcourse.gradebook.works import StudentWork, works_of
 from gripcourse.grading.folded import Shelf
 from gripcourse.grading.model import FlagCode, Report, Timing
 from gripcourse.machine.database.home import exists
+from gripcourse.machine.database.opening import demand_writing
 from gripcourse.policy.time_rules import Counts
 from gripcourse.usecases.marks.handed_in import HandingTime
 
@@ -40,10 +41,10 @@ def check_gradebook(place: str) -> None:
     """Refuse a gradebook that cannot be used before a batch is graded for nothing.
 
     Raises:
-        GradebookError: it is there already and cannot be used.
+        GradebookError: it is there already and cannot be used, or not be written.
     """
     if exists(place):
-        open_gradebook(place)
+        demand_writing(open_gradebook(place).engine)
 
 
 def with_kept_versions(context: GradingContext, place: str) -> GradingContext:
