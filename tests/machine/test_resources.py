@@ -64,6 +64,8 @@ def test_results_do_not_get_among_the_files_of_a_course(tmp_path: Path) -> None:
     expect_apart(own / "graded", own)
     expect_apart(tmp_path, own)
     (tmp_path / "link").symlink_to(own)
+    (tmp_path / "round").symlink_to("round")
+    expect_apart(tmp_path / "round", own)
     for folder in (own, own / "variants", own / "private" / "out", tmp_path / "link"):
         with pytest.raises(UsageError, match="own files are in this folder"):
             expect_apart(folder, own)

@@ -6,6 +6,7 @@ A wheel carries the reference course inside the package; in an editable installa
 repository itself; `gripcourse init` makes a copy that an instructor owns.
 """
 
+import os
 from pathlib import Path
 
 from gripcourse.errors import NextStep, Problem, UsageError
@@ -104,7 +105,8 @@ def expect_apart(out: Path, course: Path) -> None:
     Raises:
         UsageError: they would.
     """
-    inside, root = out.resolve(), course.resolve()
+    # Unlike `Path.resolve` this follows links that lead nowhere, or round and round, too.
+    inside, root = Path(os.path.realpath(out)), Path(os.path.realpath(course))
     own = (root / name for name in _OWN_FOLDERS)
     if inside != root and not any(map(inside.is_relative_to, own)):
         return
