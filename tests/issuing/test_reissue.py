@@ -82,6 +82,17 @@ class TestVersions:
         (note,) = reissue(before, correction(variant="3"), VARIANTS, LATER).notes
         assert {"003", "001"} <= set(str(note).replace(",", "").split())
 
+    def test_who_was_interrupted_says_the_same_again(self, before: Register) -> None:
+        once = reissue(before, correction(), CORRECTED, LATER).register
+        tomorrow = replace(LATER, today=date(2026, 10, 6))
+        twice = reissue(once, correction(), CORRECTED, tomorrow)
+        assert twice.register == once
+        assert "already" in str(twice.notes[0])
+        later = replace(LATER, deadline=date(2026, 12, 15))
+        for other, terms in ((correction(why="ещё раз"), LATER), (correction(), later)):
+            with pytest.raises(UsageError, match="just these numbers"):
+                reissue(once, other, CORRECTED, terms)
+
     def test_the_same_numbers_are_a_version_of_their_own_after_an_erratum(
         self, before: Register
     ) -> None:

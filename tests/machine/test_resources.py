@@ -3,7 +3,7 @@ from pathlib import Path
 import pytest
 
 from gripcourse.errors import UsageError
-from gripcourse.machine.resources import COURSE_FOLDERS, course_root, engine_template
+from gripcourse.machine.resources import COURSE_FOLDERS, course_root, engine_template, expect_apart
 
 REPOSITORY = Path(__file__).parents[2]
 
@@ -57,3 +57,15 @@ def test_a_template_of_the_engine_is_found_beside_the_package_and_in_a_wheel(
     assert engine_template("style/page.css", wheel) == own.resolve()
     assert engine_template("style/other.css", wheel) is None
     assert engine_template("student.html.j2") == course_root() / "templates" / "student.html.j2"
+
+
+def test_results_do_not_get_among_the_files_of_a_course(tmp_path: Path) -> None:
+    own = make_course(tmp_path / "own")
+    expect_apart(own / "graded", own)
+    expect_apart(tmp_path, own)
+    (tmp_path / "link").symlink_to(own)
+    (tmp_path / "round").symlink_to("round")
+    expect_apart(tmp_path / "round", own)
+    for folder in (own, own / "variants", own / "private" / "out", tmp_path / "link"):
+        with pytest.raises(UsageError, match="own files are in this folder"):
+            expect_apart(folder, own)

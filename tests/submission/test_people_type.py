@@ -35,6 +35,7 @@ A_DATE = "into the date"
 TYPED_DATE = "looks like a date"
 SEVERAL = "One number is needed"
 NO_NUMBER = "does not begin with a number"
+LETTER = "letter stands among"
 ERROR = "gives the error"
 
 
@@ -182,7 +183,16 @@ NOT_ONE_NUMBER = (
     Row(True, None, "logical"),
 )
 
-ROWS = (*TYPED_IN_SESSIONS, *ERRORS, *FORMULAS, *UNITS, *NOT_ONE_NUMBER)
+# A letter may be a unit, a tolerance or a power of a unit, or it stands for nobody knows what.
+LETTERS_AND_DIGITS = (
+    *(text(typed, 12.0, "tolerance") for typed in ("12H7", "12Н13", "12 мм H7", "12ммH7/f7")),
+    text("12 Н (ок)", 12.0, UNKNOWN, FORCE),
+    text("12мм2", 12.0, UNFIT, FORCE),
+    *(text(typed, None, LETTER, FORCE) for typed in ("0b1", "1h30", "12Н13", "12 Н13", "4k7")),
+    *(text(typed, None, LETTER) for typed in ("0b1", "1h30", "1d5", "1ч30мин")),
+)
+
+ROWS = (*LETTERS_AND_DIGITS, *TYPED_IN_SESSIONS, *ERRORS, *FORMULAS, *UNITS, *NOT_ONE_NUMBER)
 
 
 def answer_of(row: Row, plan: Plan) -> Answer:

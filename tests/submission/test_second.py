@@ -8,7 +8,7 @@ from gripcourse.machine.content import NamedBytes
 from gripcourse.submission.model import Rejected
 from gripcourse.submission.raw import RawWorkbook
 from gripcourse.submission.read import read_workbook
-from gripcourse.submission.second import lacks_results, read_again
+from gripcourse.submission.second import lacks_results, read_again, stores_zeros
 from hostile.small_workbook import PARTS, SHEET, archive, holding, replaced, stored
 
 BARE = holding('<c r="E5"><f>E13*2</f></c>')
@@ -36,6 +36,23 @@ def test_a_stored_result_is_preferred() -> None:
     again = read(BARE, other)
     assert isinstance(again, RawWorkbook)
     assert again.answers["ratio"].value == 22.9415
+
+
+def test_where_all_results_are_zeros_nobody_computed_them() -> None:
+    """As XlsxWriter stores them, until a spreadsheet program opens the file."""
+    zeros = replaced(SHEET, "<v>22.9415</v>", "<v>0</v>")
+    first = read_workbook(NamedBytes("answers.xlsx", zeros))
+    assert isinstance(first, RawWorkbook)
+    assert stores_zeros(first)
+    again = read(zeros, archive(PARTS))
+    assert isinstance(again, RawWorkbook)
+    assert again.answers["ratio"].value == 22.9415
+    assert again.other_results == ()
+    assert "LibreOffice computed" in str(again.remarks[-1])
+    assert read(zeros, zeros) == first
+    sound = read_workbook(NamedBytes("answers.xlsx", archive(PARTS)))
+    assert isinstance(sound, RawWorkbook)
+    assert not stores_zeros(sound)
 
 
 @pytest.mark.parametrize(
@@ -90,3 +107,14 @@ def test_a_converted_file_is_read_under_its_own_name_and_digest() -> None:
     assert again.file == "answers.ods"
     assert again.answers["force"].value == 80
     assert "converted" in str(again.remarks[-1])
+
+
+def test_a_text_that_libreoffice_would_cut_short_is_not_taken_from_it() -> None:
+    """Seen: Gnumeric writes 34,5 with a bold 3 so, and LibreOffice 7.4 opens it as a blank cell."""
+    kind = b"application/vnd.oasis.opendocument.spreadsheet"
+    cell = '<p xmlns="urn:oasis:names:tc:opendocument:xmlns:text:1.0"><span>3{}</span></p>'
+    for text, is_read in (("4,5", True), ("<span>4,5</span>", False)):
+        content = cell.format(text).encode()
+        data = archive({"mimetype": kind, "content.xml": content})
+        again = read_again(NamedBytes("answers.ods", data), COMPUTED)
+        assert isinstance(again, RawWorkbook) is is_read

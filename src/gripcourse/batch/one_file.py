@@ -37,7 +37,7 @@ from gripcourse.submission.interpret import interpret
 from gripcourse.submission.model import Identity, Rejected, WhyRefused
 from gripcourse.submission.raw import RawWorkbook
 from gripcourse.submission.read import read_workbook
-from gripcourse.submission.second import lacks_results, read_again, stores_results
+from gripcourse.submission.second import lacks_results, read_again, stores_results, stores_zeros
 from gripcourse.variants.model import Issued, Variant
 
 # Compositions of a scheme and options that are remembered: about a megabyte each.
@@ -100,7 +100,7 @@ def grade_file(source: Readable, context: GradingContext, made: bytes | None = N
     return replace(
         report,
         flags=(*report.flags, *results_flags(raw.other_results)),
-        lacks_results=lacks_results(raw),
+        lacks_results=lacks_results(raw) or (made is None and stores_zeros(raw)),
         unverified=made is None and stores_results(raw),
     )
 

@@ -29,7 +29,7 @@ from gripcourse.cli.options import (
     WhoseOption,
     WhyOption,
     WorkersOption,
-    course_folder,
+    course_apart,
     day_of,
     gradebook_place,
     say_limits,
@@ -98,7 +98,7 @@ def grade(  # noqa: PLR0913 (one parameter per option)
 
     words = words_for(language)
     found = collect(paths)
-    root = course_folder(course)
+    root = course_apart(course, out)
     wish = BatchWish(
         whose=tuple(whose or ()),
         handed_in=tuple(handed_in or ()),

@@ -47,6 +47,7 @@ from gripcourse.cli.options import (
     TableOption,
     WorkersOption,
     chosen_words,
+    course_apart,
     course_folder,
     day_of,
     document_language,
@@ -57,6 +58,7 @@ from gripcourse.cli.options import (
 from gripcourse.cli.pairs import read_pairs
 from gripcourse.cli.problems import said_of
 from gripcourse.errors import GripcourseError, memory_problem, system_problem
+from gripcourse.machine.ending import end_in_order
 from gripcourse.machine.process_wide import collect_rarely
 from gripcourse.text.words import Words, message
 
@@ -189,7 +191,7 @@ def issue(  # noqa: PLR0913 (one parameter per option)
     words = words_for(language)
     if printed is not None:
         expect_file(printed)  # else everybody would be issued something before it is refused
-    loaded = load_course(course_folder(course))
+    loaded = load_course(course_apart(course, out))
     order = Order(
         roster=roster,
         table=table or main_table(loaded.root),
@@ -254,6 +256,7 @@ def check(
 def main() -> None:
     """Run the command line; every failure is a sentence and an exit code, never a traceback."""
     # Not standalone: what the parser refuses comes here, like all other refusals.
+    end_in_order()
     is_heard = prepare_streams()
     collect_rarely()
     started = perf_counter()

@@ -135,6 +135,19 @@ def course_folder(course: Path | None) -> Path:
     return course_root(course or (here if is_course(here) else None))
 
 
+def course_apart(course: Path | None, out: Path) -> Path:
+    """Return the course to work on, whose results go to a folder apart from its own files.
+
+    Raises:
+        UsageError: they would get among them.
+    """
+    from gripcourse.machine.resources import expect_apart  # noqa: PLC0415 (not for --help)
+
+    root = course_folder(course)
+    expect_apart(out, root)
+    return root
+
+
 def main_table(root: Path) -> Path:
     """Return where a course keeps the table that it issues from."""
     return root / "variants" / "tables" / "main.csv"

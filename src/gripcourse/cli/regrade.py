@@ -208,6 +208,7 @@ def history(
     """Show everything that happened to a student's grade: when, by whom, and why."""
     from gripcourse.usecases.marks.called import item_with_id
     from gripcourse.usecases.marks.history import history as ask
+    from gripcourse.usecases.marks.history import what_counts
     from gripcourse.usecases.marks.opening import issued_of
 
     words, root = words_for(language), course_folder(course)
@@ -220,8 +221,12 @@ def history(
             else item_with_id(student, quantity, context, words.language)
         )
 
-    events = ask(gradebook_place(gradebook, root), student, issued_of(root), called)
+    place = gradebook_place(gradebook, root)
+    events = ask(place, student, issued_of(root), called)
     typer.echo(regrade_text.history_text(events, words))
+    counts = None if context is None else what_counts(place, student, context)
+    if counts is not None:
+        typer.echo(words.say(counts))
     if context is None:
         said = message("The course has problems: quantities are called by their ids.")
         typer.echo(words.say(said), err=True)

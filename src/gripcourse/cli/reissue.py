@@ -22,7 +22,7 @@ from gripcourse.cli.options import (
     TableOption,
     WhyOption,
     WorkersOption,
-    course_folder,
+    course_apart,
     day_of,
     main_table,
     say_limits,
@@ -69,7 +69,7 @@ def reissue(  # noqa: PLR0913 (one parameter per option)
     from gripcourse.usecases.issuing.reissue import CorrectedOrder, reissue_order
 
     words = words_for(language)
-    loaded = load_course(course_folder(course))
+    loaded = load_course(course_apart(course, out))
     order = CorrectedOrder(
         correction=Correction(tuple(students), variant, why, by or getpass.getuser()),
         table=table or main_table(loaded.root),

@@ -52,6 +52,15 @@ def course_deadlines(root: Path, rule: LateRule | None) -> tuple[Deadline, ...]:
     return () if rule is None else rows
 
 
+def deadline_by_rule(
+    issued: Issued | None, rows: tuple[Deadline, ...], rule: LateRule | None
+) -> datetime | None:
+    """Return the deadline of a student; None where there is none, or where lateness is free."""
+    if issued is None or rule is None:
+        return None
+    return deadline_of(issued, rows, rule.time_zone)
+
+
 def deadline_of(issued: Issued, rows: tuple[Deadline, ...], zone: ZoneInfo) -> datetime | None:
     """Return the deadline of a student: the nearest row, else the day that was issued with."""
     student = issued.student

@@ -44,6 +44,9 @@ def reissue(
 ) -> Extended:
     """Put a new version in the place of what students were issued; the old one stays beside it.
 
+    Who was issued the very same for the same reason before gets no further version: whoever was
+    interrupted says the same again, to have the documents made.
+
     Args:
         register: what was issued before.
         correction: to whom, and why.
@@ -52,7 +55,7 @@ def reissue(
         title_of: what quantities are called in the notes; by their ids where nothing is said.
 
     Returns:
-        The register with the new versions, and a note for each that says what changed.
+        The register with the new versions, and a note for each student that says what changed.
 
     Raises:
         UsageError: with everything that cannot be done; nothing is to be kept then.
@@ -61,6 +64,7 @@ def reissue(
     variants, renamed = named_as_issued(variants, register)
     known, holders = register.by_student(), holders_of(register)
     fresh: dict[str, Issued] = {}
+    again: list[Issued] = []
     for student in dict.fromkeys(correction.students):
         entry = known.get(student)
         if entry is None:
@@ -70,6 +74,9 @@ def reissue(
         variant = _wanted(entry, correction, variants)
         if isinstance(variant, Problem):
             problems.append(variant)
+            continue
+        if _is_done(entry, variant, correction, terms):
+            again.append(entry)
             continue
         refused = _refusal(entry, variant, holders, terms)
         if refused is not None:
@@ -85,7 +92,11 @@ def reissue(
             tuple(fresh.get(entry.student.id, entry) for entry in register.entries),
             (*register.earlier, *(known[student] for student in fresh)),
         ),
-        (*renamed, *(_said(known[student], entry, title_of) for student, entry in fresh.items())),
+        (
+            *renamed,
+            *map(_said_again, again),
+            *(_said(known[student], entry, title_of) for student, entry in fresh.items()),
+        ),
     )
 
 
@@ -118,6 +129,20 @@ def _wanted(
     return _problem("variant", what, remedy)
 
 
+def _is_done(entry: Issued, variant: Variant, correction: Correction, terms: Terms) -> bool:
+    """Tell whether the last version of a student is the one that is asked for."""
+    return (
+        entry.version > 1
+        and entry.why == correction.why.strip()
+        and terms.deadline in {None, entry.deadline}
+        and _is_same(entry, variant, terms)
+    )
+
+
+def _is_same(entry: Issued, variant: Variant, terms: Terms) -> bool:
+    return variant == entry.variant and entry.declarations == terms.declarations
+
+
 def _refusal(
     entry: Issued, variant: Variant, holders: Mapping[str, str], terms: Terms
 ) -> Problem | None:
@@ -133,7 +158,7 @@ def _refusal(
             ),
             message("Name a variant that nobody has."),
         )
-    if variant == entry.variant and entry.declarations == terms.declarations:
+    if _is_same(entry, variant, terms):
         return _problem(
             "student",
             message(
@@ -164,6 +189,16 @@ def _next_version(
         why=correction.why.strip(),
         issued_by=correction.person,
         declarations=terms.declarations,
+    )
+
+
+def _said_again(entry: Issued) -> Message:
+    return message(
+        "{student}: version {version} of variant {variant} was issued for this reason already; its"
+        " documents are made again.",
+        student=entry.student.id,
+        version=entry.version,
+        variant=entry.variant.id,
     )
 
 

@@ -210,7 +210,7 @@ def discard_all_unfinished(folder: Path) -> None:
     """Remove what a process that was killed left of its writing into a folder of ours.
 
     Args:
-        folder: nobody else may be writing into it; it need not be there.
+        folder: nobody else may be writing into it, see `writing_into`; it need not be there.
 
     Raises:
         OSError: a file cannot be removed.
@@ -226,7 +226,8 @@ def discard_unfinished(path: Path) -> None:
     """Remove what a process that was killed left of its writing of `path`.
 
     Args:
-        path: the file that was to be made; it stays as it is, and nobody else may be writing it.
+        path: the file that was to be made; it stays as it is, and nobody else may be writing it
+            (see `writing_into`).
 
     Raises:
         OSError: a file cannot be removed.

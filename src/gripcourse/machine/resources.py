@@ -6,6 +6,7 @@ A wheel carries the reference course inside the package; in an editable installa
 repository itself; `gripcourse init` makes a copy that an instructor owns.
 """
 
+import os
 from pathlib import Path
 
 from gripcourse.errors import NextStep, Problem, UsageError
@@ -15,6 +16,7 @@ VARIANTS = "variants"
 TEMPLATES = "templates"
 REQUIRED_FOLDERS = (VARIANTS, "grader")
 COURSE_FOLDERS = (VARIANTS, TEMPLATES, "grader")
+_OWN_FOLDERS = (*COURSE_FOLDERS, "private")
 
 _PACKAGE = Path(__file__).parents[1]
 
@@ -93,6 +95,24 @@ def is_course(folder: Path) -> bool:
     in its place.
     """
     return not _missing(folder) or (folder / VARIANTS / "course.toml").is_file()
+
+
+def expect_apart(out: Path, course: Path) -> None:
+    """See that results do not get among the files that a course is made of.
+
+    A folder of their own inside that of the course is apart.
+
+    Raises:
+        UsageError: they would.
+    """
+    # Unlike `Path.resolve` this follows links that lead nowhere, or round and round, too.
+    inside, root = Path(os.path.realpath(out)), Path(os.path.realpath(course))
+    own = (root / name for name in _OWN_FOLDERS)
+    if inside != root and not any(map(inside.is_relative_to, own)):
+        return
+    what = message("The course's own files are in this folder: results would get among them.")
+    remedy = message("Name another folder, for example {folder}.", folder=str(course / "out"))
+    raise UsageError([Problem(str(out), "", what, remedy, parameter="out")])
 
 
 def _checked(folder: Path) -> Path:

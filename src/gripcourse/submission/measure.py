@@ -17,14 +17,19 @@ from gripcourse.text.number_reading import (
     read_number,
     readable,
 )
+from gripcourse.text.typed_forms import AMONG_DIGITS
 from gripcourse.text.units import UnitError, dimension, factor, read_unit, unit_text
 from gripcourse.text.words import LANGUAGES, Message, Texts, message
 
-# `H7`, `h6`, `H7/f7`: a tolerance of fit behind a size. Powers of units, as m2, have other letters.
-# Letters of the other alphabet look the same: Н7.
+# `H7`, `h6`, `H7/f7`: a tolerance of fit behind a size, or behind its unit. Powers of units, as m2,
+# have other letters. Letters of the other alphabet look the same: Н7.
 _FIT: Final = re.compile(
-    r"(?:[HhEFfGgJjKknNPpRrSsНЕКРекнр]|js|JS)\d{1,2}(?:/[a-zA-ZНЕКРекнр]{1,2}\d{1,2})?"
+    r"(?P<unit>(?:мм|mm)?)\.?\s*(?:[HhEFfGgJjKknNPpRrSsНЕКРекнр]|js|JS)(?:1[0-8]|[1-9])"
+    r"(?:/[a-zA-ZНЕКРекнр]{1,2}(?:1[0-8]|[1-9]))?"
 )
+# `1h30`, `0b1`, `12Н13`: a letter among digits; no unit has such a power. `12 мм2` may be one.
+_AMONG_DIGITS: Final = re.compile(r"[^\W\d_]{1,3}(\d+)")
+_POWERS: Final = frozenset({"2", "3", "4"})
 _FIT_LEFT_OUT: Final = message("The tolerance behind the size was left out.")
 _ANGLES: Final = frozenset({"deg", "rad", "gon"})
 _PERCENT: Final = "%"
@@ -120,9 +125,11 @@ def from_text(quantity: Quantity, text: str) -> Understood | Message:
     read = read_number(text)
     if isinstance(read, Unreadable):
         return read.reason
-    if quantity.unit == "mm" and _FIT.fullmatch(read.unit):
-        read = replace(read, unit="", remarks=(*read.remarks, _FIT_LEFT_OUT))
+    if quantity.unit == "mm" and (fit := _FIT.fullmatch(read.unit)):
+        read = replace(read, unit=fit["unit"], remarks=(*read.remarks, _FIT_LEFT_OUT))
     unit = read_unit(read.unit) if read.unit else ""
+    if _is_among_digits(read, unit):
+        return AMONG_DIGITS
     if unit is None and names_month(read.unit):
         return A_DATE
     if unit is None or not _measures(unit):
@@ -137,6 +144,14 @@ def from_text(quantity: Quantity, text: str) -> Understood | Message:
         remarks = (_as_number(read), *read.remarks)
         return replace(_plain(read.value, read.half_unit, remarks, read.figures), unit=unit)
     return _measured(read, unit, quantity)
+
+
+def _is_among_digits(read: NumberRead, unit: str | None) -> bool:
+    """Tell whether a letter of an unknown meaning stands between two numbers."""
+    found = _AMONG_DIGITS.match(read.unit)
+    if found is None:
+        return False
+    return found[1] not in _POWERS if unit is not None else read.close
 
 
 def _measured(read: NumberRead, unit: str, quantity: Quantity) -> Understood | Message:

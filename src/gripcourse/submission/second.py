@@ -9,7 +9,8 @@ from dataclasses import replace
 from pathlib import PurePath
 from typing import Final
 
-from gripcourse.machine.content import NamedBytes, Readable, shown_name
+from gripcourse.machine.content import NamedBytes, Readable, content_of, shown_name
+from gripcourse.machine.spreadsheet.open_document import loses_texts
 from gripcourse.submission.model import Rejected, WhyRefused
 from gripcourse.submission.raw import CellValue, OtherResult, RawCell, RawWorkbook
 from gripcourse.submission.read import read_workbook
@@ -38,6 +39,16 @@ def lacks_results(raw: RawWorkbook) -> bool:
     return any(_lacks_result(one) for one in (*raw.answers.values(), *raw.beside))
 
 
+def stores_zeros(raw: RawWorkbook) -> bool:
+    """Tell whether all results that answers' formulas store are zeros: some writers compute none.
+
+    XlsxWriter and what is like it store a zero for each formula until a spreadsheet computes it.
+    """
+    cells = (*raw.answers.values(), *raw.beside)
+    results = [one.value for one in cells if one.formula and one.value is not None]
+    return bool(results) and all(_is_zero(one) for one in results)
+
+
 def stores_results(raw: RawWorkbook) -> bool:
     """Tell whether cells that count are formulas whose results are stored: any text can be one."""
     return any(one.formula and one.value is not None for one in _counting(raw).values())
@@ -58,9 +69,9 @@ def read_again(source: Readable, made: bytes) -> RawWorkbook | Rejected:
     if isinstance(again, Rejected):
         return first
     if isinstance(first, RawWorkbook):
-        others = tuple(_other_results(first, again))
-        return replace(_with_results(first, again), other_results=others)
-    if first.code not in OTHER_FORMATS:
+        computed = _with_results(first, again)
+        return replace(computed, other_results=tuple(_other_results(computed, again)))
+    if first.code not in OTHER_FORMATS or loses_texts(content_of(source)):
         return first
     remarks = (*again.remarks, _CONVERTED)
     return replace(again, file=first.file, digest=first.digest, remarks=remarks)
@@ -69,10 +80,12 @@ def read_again(source: Readable, made: bytes) -> RawWorkbook | Rejected:
 def _with_results(first: RawWorkbook, again: RawWorkbook) -> RawWorkbook:
     """Add the results that are not stored; cells keep their names and their places."""
     cells = {**again.answers, **{one.cell: one for one in again.beside}}
+    only_zeros = stores_zeros(first)
 
     def added(name: str, cell: RawCell) -> RawCell:
         other = cells.get(name)
-        if other is None or other.cell != cell.cell or not _lacks_result(cell):
+        lacking = _lacks_result(cell) or (only_zeros and cell.formula != "")
+        if other is None or other.cell != cell.cell or not lacking:
             return cell
         return replace(cell, value=other.value, error=other.error)
 
@@ -112,6 +125,10 @@ def _same(stored: CellValue, computed: CellValue) -> bool:
     if isinstance(stored, str) and isinstance(computed, str):
         return stored.strip() == computed.strip()
     return stored == computed
+
+
+def _is_zero(value: CellValue) -> bool:
+    return isinstance(value, int | float) and not isinstance(value, bool) and value == 0
 
 
 def _lacks_result(cell: RawCell) -> bool:

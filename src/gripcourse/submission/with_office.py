@@ -7,7 +7,7 @@ from gripcourse.machine.office import converted
 from gripcourse.submission.apart import read_apart
 from gripcourse.submission.model import Rejected
 from gripcourse.submission.raw import RawWorkbook
-from gripcourse.submission.second import OTHER_FORMATS, lacks_results, read_again
+from gripcourse.submission.second import OTHER_FORMATS, lacks_results, read_again, stores_zeros
 
 _NAME = "work"
 
@@ -52,4 +52,4 @@ def _ending_for_office(read: RawWorkbook | Rejected) -> str:
     """Return how a file ends that LibreOffice could make more of; nothing for any other."""
     if isinstance(read, Rejected):
         return OTHER_FORMATS.get(read.code, "")
-    return ".xlsx" if lacks_results(read) else ""
+    return ".xlsx" if lacks_results(read) or stores_zeros(read) else ""

@@ -76,6 +76,7 @@ class NumberRead:
         unit: what stands behind the number, as it was typed; empty for nothing.
         remarks: what had to be decided to read it.
         figures: as typed; None where that says nothing: a zero, a bare power of ten.
+        close: whether the unit was typed without a space before it.
     """
 
     value: float
@@ -83,6 +84,7 @@ class NumberRead:
     unit: str
     remarks: tuple[Message, ...]
     figures: Figures | None
+    close: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -152,7 +154,9 @@ def _read_bare(text: str) -> NumberRead:
     if math.isinf(value) or math.isinf(half_unit) or (value == 0 and mantissa.strip("0")):
         raise NotANumber(_OUT_OF_RANGE)
     remarks = _about_separators(digits, value)
-    return NumberRead(value, half_unit, _unit(tail), remarks, None if exact else _figures(digits))
+    figures = None if exact else _figures(digits)
+    close = " " not in (text.removesuffix(tail)[-1:], tail[:1])
+    return NumberRead(value, half_unit, _unit(tail), remarks, figures, close)
 
 
 def _figures(digits: Digits) -> Figures | None:

@@ -109,4 +109,5 @@ def _is_recent(failed: Path) -> bool:
 
     Later it is tried again, as the machine may only have been busy.
     """
-    return failed.is_file() and time.time() - failed.stat().st_mtime < _SECONDS_APART
+    # Where the clock was set back, a time to come is not lately either.
+    return failed.is_file() and abs(time.time() - failed.stat().st_mtime) < _SECONDS_APART

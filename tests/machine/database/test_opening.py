@@ -11,7 +11,7 @@ from sqlalchemy.engine import make_url
 from gripcourse.errors import GradebookError
 from gripcourse.machine.database.home import address_path, exists, gradebook_path, home_of
 from gripcourse.machine.database.migrate import NEWEST
-from gripcourse.machine.database.opening import open_engine, without_password
+from gripcourse.machine.database.opening import demand_writing, open_engine, without_password
 from gripcourse.machine.database.said import refusals_named
 
 
@@ -40,6 +40,15 @@ class TestMaking:
     def test_nothing_else_is_left_beside_it(self, tmp_path: Path) -> None:
         open_engine(str(tmp_path / "gradebook.sqlite"))
         assert [one.name for one in tmp_path.iterdir()] == ["gradebook.sqlite"]
+
+    def test_one_that_can_only_be_read_is_refused_before_any_work(self, tmp_path: Path) -> None:
+        place = tmp_path / "gradebook.sqlite"
+        before = open_engine(str(place)) and place.read_bytes()
+        demand_writing(open_engine(str(place)))
+        assert place.read_bytes() == before
+        # Whoever runs the tests may have all rights: the file itself is opened for reading.
+        with pytest.raises(GradebookError, match="can be read, but not written"):
+            demand_writing(create_engine(f"sqlite:///file:{place}?mode=ro&uri=true"))
 
     def test_where_its_making_fails_there_is_none(
         self, tmp_path: Path, monkeypatch: pytest.MonkeyPatch

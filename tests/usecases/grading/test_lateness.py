@@ -29,7 +29,7 @@ from gripcourse.text.words import Words, message
 from gripcourse.usecases.grading.grade import write_results
 from gripcourse.usecases.marks.gradebook import keep
 from gripcourse.usecases.marks.handed_in import HandingTime, handed_in_times
-from gripcourse.usecases.marks.history import history
+from gripcourse.usecases.marks.history import history, what_counts
 from gripcourse.usecases.marks.waive import waive
 from support.classroom import forget_one_jaw
 
@@ -106,6 +106,16 @@ def test_a_waiver_counts_from_the_next_grading_and_can_be_withdrawn(office: Offi
     assert office.timings()[1].deduction > 0
     waived = [one for one in history(office.place, "s01") if one.person]
     assert [one.why for one in waived] == ["болезнь", "ошибка"]
+
+
+def test_a_history_says_what_counts_and_what_it_was_before_lateness(office: Office) -> None:
+    report = office.grade()[1]
+    points = f"{0.8 * (report.score or 0):.4g} of {report.max_score:.4g} points"
+    said = str(what_counts(office.place, "s01", office.context))
+    assert f"attempt 2, {points}; before lateness (days late: 2) {report.score:.4g}." in said
+    office.waive()
+    said = str(what_counts(office.place, "s01", office.context))
+    assert f"attempt 2, {report.score:.4g} of {report.max_score:.4g} points." in said
 
 
 def test_the_report_and_the_table_say_what_lateness_costs(office: Office) -> None:

@@ -231,3 +231,13 @@ def test_a_history_tells_what_happened_when_by_whom_and_why(faculty: Faculty) ->
     assert history(faculty.place, "s03", {"s03"}) == ()
     with pytest.raises(UsageError, match="s04"):
         history(faculty.place, "s04", {"s03"})
+
+
+def test_the_mark_that_counts_is_told_last_though_the_clock_was_set_back(faculty: Faculty) -> None:
+    for hours, sizes in ((20, 1.0), (10, 0.5)):
+        faculty.hours = hours
+        at = faculty.signed().done_at
+        draft = Draft("s02", DRAWING, {"sizes": sizes, "assembly": 0.5, "standards": 0.0})
+        enter_mark(draft, faculty.today, faculty.place, "Петров", at)
+    told = [one.at - NOW for one in history(faculty.place, "s02") if DRAWING in str(one.what)]
+    assert told == [timedelta(hours=21), timedelta(hours=11)]

@@ -33,6 +33,7 @@ from gripcourse.text.words import message
 
 __all__ = [
     "another_was_faster",
+    "demand_writing",
     "engine_of",
     "open_engine",
     "refusals_named",
@@ -94,6 +95,21 @@ def writing(engine: Engine) -> Iterator[Connection]:
             connection.exec_driver_sql(f"SET LOCAL lock_timeout = '{_SECONDS_TO_WAIT}s'")
             connection.exec_driver_sql("SELECT pg_advisory_xact_lock(hashtext('gripcourse'))")
         yield connection
+
+
+def demand_writing(engine: Engine) -> None:
+    """Refuse a database that can only be read, before anybody works for what shall be kept there.
+
+    Raises:
+        GradebookError: nothing can be written to it.
+    """
+    place = without_password(engine.url)
+    with refusals_named(place), engine.connect() as connection:
+        if engine.dialect.name == "sqlite":
+            connection.exec_driver_sql("BEGIN IMMEDIATE")
+            # To change anything takes a file beside it, in a folder that may be protected. It is
+            # taken back when the connection ends.
+            connection.exec_driver_sql("PRAGMA user_version = 0")
 
 
 def _url(place: str) -> URL:

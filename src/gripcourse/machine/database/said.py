@@ -80,11 +80,7 @@ def _refusal(place: str, fault: SQLAlchemyError) -> GradebookError:
         return unusable(place, str(fault))
     said, state = str(fault.orig), _state(fault)
     if state == _LOCKED or "database is locked" in said:
-        return failure(
-            place,
-            message("Another program writes to the gradebook and does not end."),
-            message("Nothing was written; end that program, or try again in a minute."),
-        )
+        return _busy(place, is_file=state != _LOCKED)
     of_the_disk = _of_the_disk(place, fault, state)
     if of_the_disk is not None:
         return of_the_disk
@@ -109,6 +105,18 @@ def _refusal(place: str, fault: SQLAlchemyError) -> GradebookError:
             ),
         )
     return unusable(place, said)
+
+
+def _busy(place: str, *, is_file: bool) -> GradebookError:
+    again = message("Nothing was written; end that program, or try again in a minute.")
+    if is_file:  # SQLite says the same where locks cannot be had
+        again = message(
+            "{again} If there is none: network disks without locks do not bear this file; keep it"
+            " on another disk.",
+            again=again,
+        )
+    what = message("Another program writes to the gradebook and does not end.")
+    return failure(place, what, again)
 
 
 def _of_the_disk(place: str, fault: DBAPIError, state: str) -> GradebookError | None:

@@ -14,6 +14,7 @@ from gripcourse.exports.report_json import said_in
 from gripcourse.gradebook.results import RESULTS, RESULTS_DIGEST
 from gripcourse.grading.model import Flag, FlagCode, Report
 from gripcourse.likeness.works import TYPED
+from gripcourse.machine.alone import writing_into
 from gripcourse.machine.content import Readable
 from gripcourse.machine.files import (
     discard_unfinished,
@@ -128,61 +129,70 @@ def write_results(  # noqa: PLR0913 (the last is what everybody leaves as it is)
         earlier: what an earlier run left.
         pool: kind of workers.
     """
-    _discard_unfinished(out)
-    plain = reports_of(graded)
-    peers = tuple(shares(filter(is_counting, plain)))
-    printing = Printing(
-        context.course, context.policy, graded_on, peers=peers, declared=context.declared
-    )
-    printed = None if earlier is None else earlier.printed
-    outcomes: Sequence[Written] = [None] * len(plain)
-    if lay_out is not None:
-        outcomes = write_reports(
-            plain, printing, out / REPORTS, workers, on_done, lay_out, printed=printed, pool=pool
+    with writing_into(out) as alone:
+        if alone:
+            _discard_unfinished(out)
+        plain = reports_of(graded)
+        peers = tuple(shares(filter(is_counting, plain)))
+        printing = Printing(
+            context.course, context.policy, graded_on, peers=peers, declared=context.declared
         )
-    lost = [(number, one) for number, one in enumerate(outcomes) if isinstance(one, Lost)]
-    graded = with_reports(
-        graded, ((number, _with_incident(plain[number], one)) for number, one in lost)
-    )
-    reports = reports_of(graded)
-    written = {
-        reports[number].file: path
-        for number, one in enumerate(outcomes)
-        if (path := one.path if isinstance(one, AsItWas) else one) and isinstance(path, Path)
-    }
-    seen = _Seen.of(graded)
-    incidents = [*seen.incidents]
-    incidents += [_told(one, f"report of {reports[number].file}") for number, one in lost]
-    renew_tables(reports, context, out, passed_over, printed)
-    failed = None
-    if lay_out is not None:
-        failed = _print_cohort(reports, printing, out / COHORT_PDF, workers, printed)
-    if failed is not None:
-        incidents.append(_told(failed, COHORT_PDF))
-    if incidents:
-        write_text(out / INCIDENTS, "\n".join(incidents), private=True)
-    else:
-        # Those of an earlier run into the same folder have been mended.
-        (out / INCIDENTS).unlink(missing_ok=True)
-    cohort = None if failed is not None or lay_out is None else out / COHORT_PDF
-    return GradingOutcome(
-        reports=reports,
-        written=written,
-        cohort=cohort,
-        needs_person=failed is not None
-        or seen.is_flagged
-        or any(one.needs_person for one in passed_over),
-        passed_over=tuple(passed_over),
-        left_over=left_over(out, {*written.values(), *([] if cohort is None else [cohort])}),
-        taken_over=TakenOver(
-            results=seen.taken_over,
-            reports=sum(isinstance(one, AsItWas) for one in outcomes),
-        ),
-        grades_only=lay_out is None,
-        missing=missing(reports, context),
-        cohort_fault="" if failed is None else failed.reason,
-        undated=tuple(sorted(seen.undated)) if context.policy.late is not None else (),
-    )
+        printed = None if earlier is None else earlier.printed
+        outcomes: Sequence[Written] = [None] * len(plain)
+        if lay_out is not None:
+            outcomes = write_reports(
+                plain,
+                printing,
+                out / REPORTS,
+                workers,
+                on_done,
+                lay_out,
+                printed=printed,
+                pool=pool,
+            )
+        lost = [(number, one) for number, one in enumerate(outcomes) if isinstance(one, Lost)]
+        graded = with_reports(
+            graded, ((number, _with_incident(plain[number], one)) for number, one in lost)
+        )
+        reports = reports_of(graded)
+        written = {
+            reports[number].file: path
+            for number, one in enumerate(outcomes)
+            if (path := one.path if isinstance(one, AsItWas) else one) and isinstance(path, Path)
+        }
+        seen = _Seen.of(graded)
+        incidents = [*seen.incidents]
+        incidents += [_told(one, f"report of {reports[number].file}") for number, one in lost]
+        renew_tables(reports, context, out, passed_over, printed)
+        failed = None
+        if lay_out is not None:
+            failed = _print_cohort(reports, printing, out / COHORT_PDF, workers, printed)
+        if failed is not None:
+            incidents.append(_told(failed, COHORT_PDF))
+        if incidents:
+            write_text(out / INCIDENTS, "\n".join(incidents), private=True)
+        else:
+            # Those of an earlier run into the same folder have been mended.
+            (out / INCIDENTS).unlink(missing_ok=True)
+        cohort = None if failed is not None or lay_out is None else out / COHORT_PDF
+        return GradingOutcome(
+            reports=reports,
+            written=written,
+            cohort=cohort,
+            needs_person=failed is not None
+            or seen.is_flagged
+            or any(one.needs_person for one in passed_over),
+            passed_over=tuple(passed_over),
+            left_over=left_over(out, {*written.values(), *([] if cohort is None else [cohort])}),
+            taken_over=TakenOver(
+                results=seen.taken_over,
+                reports=sum(isinstance(one, AsItWas) for one in outcomes),
+            ),
+            grades_only=lay_out is None,
+            missing=missing(reports, context),
+            cohort_fault="" if failed is None else failed.reason,
+            undated=tuple(sorted(seen.undated)) if context.policy.late is not None else (),
+        )
 
 
 @dataclass(slots=True)

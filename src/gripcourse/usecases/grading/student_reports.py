@@ -12,6 +12,7 @@ from gripcourse.documents.look import Look, look_of, with_look
 from gripcourse.documents.report.totals import is_counting, peers_text
 from gripcourse.grading.known_by import KnownBy
 from gripcourse.grading.model import Report
+from gripcourse.machine.alone import writing_into
 from gripcourse.machine.enclosed import file_below
 from gripcourse.machine.files import discard_all_unfinished, make_private_folder, write_bytes
 from gripcourse.machine.jobs.pools import PROCESSES, Pool
@@ -117,26 +118,30 @@ def write_reports(  # noqa: PLR0913 (the last ones are what everybody leaves as 
         OSError: the folder cannot be written.
     """
     make_private_folder(folder)
-    discard_all_unfinished(folder)
-    paths = _paths(reports, folder)
-    made_from = [_made_from(one, printing) if printed else "" for one in reports]
-    outcomes: list[Written] = [
-        AsItWas(path) if printed and path and printed.stands(path, told) else None
-        for path, told in zip(paths, made_from, strict=True)
-    ]
-    to_do = [number for number, path in enumerate(paths) if path and outcomes[number] is None]
-    for number in sorted(set(range(len(reports))) - set(to_do)):
-        on_done(Path(reports[number].file))
-    travels = printing if pool.shares_disk else replace(printing, look=look_of(printing.course))
-    shared, items = (lay_out, travels), [reports[number] for number in to_do]
-    jobs = run_each(_lay_out, items, shared, workers=workers, seconds=printing.seconds, pool=pool)
-    for place, pdf in jobs:
-        number = to_do[place]
-        outcomes[number] = _keep(pdf, paths[number])
-        if printed and isinstance(pdf, bytes) and (path := paths[number]):
-            printed.note(path, made_from[number])
-        on_done(Path(reports[number].file))
-    return outcomes
+    with writing_into(folder) as alone:
+        if alone:
+            discard_all_unfinished(folder)
+        paths = _paths(reports, folder)
+        made_from = [_made_from(one, printing) if printed else "" for one in reports]
+        outcomes: list[Written] = [
+            AsItWas(path) if printed and path and printed.stands(path, told) else None
+            for path, told in zip(paths, made_from, strict=True)
+        ]
+        to_do = [number for number, path in enumerate(paths) if path and outcomes[number] is None]
+        for number in sorted(set(range(len(reports))) - set(to_do)):
+            on_done(Path(reports[number].file))
+        travels = printing if pool.shares_disk else replace(printing, look=look_of(printing.course))
+        shared, items = (lay_out, travels), [reports[number] for number in to_do]
+        jobs = run_each(
+            _lay_out, items, shared, workers=workers, seconds=printing.seconds, pool=pool
+        )
+        for place, pdf in jobs:
+            number = to_do[place]
+            outcomes[number] = _keep(pdf, paths[number])
+            if printed and isinstance(pdf, bytes) and (path := paths[number]):
+                printed.note(path, made_from[number])
+            on_done(Path(reports[number].file))
+        return outcomes
 
 
 def _made_from(report: Report, printing: Printing) -> str:

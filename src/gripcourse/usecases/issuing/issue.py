@@ -2,7 +2,8 @@
 
 import logging
 import secrets
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from datetime import UTC, date, datetime, time
 from functools import partial
@@ -18,6 +19,7 @@ from gripcourse.issuing.allotment import Terms, extend
 from gripcourse.issuing.roster import read_roster
 from gripcourse.issuing.signature import KEY_BYTES, key_of, key_path, make_key
 from gripcourse.issuing.store import extend_register, read_register
+from gripcourse.machine.alone import writing_into
 from gripcourse.machine.content import Readable
 from gripcourse.machine.database.home import home_of
 from gripcourse.machine.files import discard_unfinished, make_private_folder
@@ -222,19 +224,25 @@ def write_handouts(
 def _issue(entry: Issued, shared: tuple[IssueOne, IssuingContext]) -> Handout:
     """Issue to one student, maybe once more: who dies takes other workers along, midway."""
     issue_one, context = shared
-    _discard_unfinished(context, entry.student.id)
-    return issue_one(context, entry)
+    with _without_unfinished(context, entry.student.id):
+        return issue_one(context, entry)
 
 
-def _discard_unfinished(context: IssuingContext, student: str) -> None:
-    for path in (sheet_path(context.out, student), workbook_path(context.out, student)):
-        discard_unfinished(path)
+@contextmanager
+def _without_unfinished(context: IssuingContext, student: str) -> Iterator[None]:
+    """Remove what the dead left in a student's folder, not what another process writes there."""
+    paths = sheet_path(context.out, student), workbook_path(context.out, student)
+    with writing_into(paths[0].parent) as alone:
+        for path in paths if alone else ():
+            discard_unfinished(path)
+        yield
 
 
 def _lost(context: IssuingContext, entry: Issued, lost: Lost) -> Handout:
     """Name what failed on our side; what was finished before stays, nothing half-written does."""
     student = entry.student.id
-    _discard_unfinished(context, student)
+    with _without_unfinished(context, student):
+        pass
     _log.error("documents of student %s: %s", student, lost.trace)
     said = message(
         "The documents of {student} could not be made: {reason}",

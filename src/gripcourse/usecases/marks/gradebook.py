@@ -11,7 +11,7 @@ from typing import Final
 from gripcourse.batch.graded import Changes, Graded, reports_of, with_reports
 from gripcourse.batch.one_file import GradingContext
 from gripcourse.gradebook.apply import as_it_stands, with_marks
-from gripcourse.gradebook.deadlines import Deadline, course_deadlines, deadline_of
+from gripcourse.gradebook.deadlines import Deadline, course_deadlines, deadline_by_rule
 from gripcourse.gradebook.fingerprint import fingerprints
 from gripcourse.gradebook.journal import Published, publications, told_works, waivers
 from gripcourse.gradebook.model import (
@@ -27,9 +27,9 @@ from gripcourse.gradebook.timing import Waiver, timings_by_policy
 from gripcourse.gradebook.works import StudentWork, works_of
 from gripcourse.grading.model import FlagCode, Report, Timing
 from gripcourse.machine.database.home import exists
-from gripcourse.policy.time_rules import Counts, LateRule
+from gripcourse.machine.database.opening import demand_writing
+from gripcourse.policy.time_rules import Counts
 from gripcourse.usecases.marks.handed_in import HandingTime
-from gripcourse.variants.model import Issued
 
 # What the gradebook knows of all at once is large: attempts take some ten kilobytes each.
 _STUDENTS_AT_ONCE: Final = 200
@@ -41,10 +41,10 @@ def check_gradebook(place: str) -> None:
     """Refuse a gradebook that cannot be used before a batch is graded for nothing.
 
     Raises:
-        GradebookError: it is there already and cannot be used.
+        GradebookError: it is there already and cannot be used, or not be written.
     """
     if exists(place):
-        open_gradebook(place)
+        demand_writing(open_gradebook(place).engine)
 
 
 def with_kept_versions(context: GradingContext, place: str) -> GradingContext:
@@ -170,7 +170,7 @@ def _kept(
             policy,
             works[name],
             latest_marks(entries[name]),
-            _deadline(keeping.context.register.get(name), keeping.deadlines, policy.late),
+            deadline_by_rule(keeping.context.register.get(name), keeping.deadlines, policy.late),
             keeping.waived.get(name, ()),
         )
         if timings:
@@ -237,14 +237,6 @@ def _to_add(
                 )
             )
     return kept
-
-
-def _deadline(
-    issued: Issued | None, deadlines: tuple[Deadline, ...], late: LateRule | None
-) -> datetime | None:
-    if issued is None or late is None:
-        return None
-    return deadline_of(issued, deadlines, late.time_zone)
 
 
 def _entered(report: Report, stands: Attempt | None, entries: Sequence[GradebookEntry]) -> Report:

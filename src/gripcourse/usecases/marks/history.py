@@ -3,12 +3,16 @@
 from collections.abc import Callable, Container, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from datetime import datetime
+from itertools import accumulate
 
 from gripcourse.access.desk.model import GradedBatch
 from gripcourse.access.desk.store import batches_by_time
+from gripcourse.batch.one_file import GradingContext
 from gripcourse.errors import Problem, UsageError
+from gripcourse.gradebook.counted import counted_work
+from gripcourse.gradebook.deadlines import course_deadlines, deadline_by_rule
 from gripcourse.gradebook.journal import publications, regrades, waivers
-from gripcourse.gradebook.model import Attempt, GradebookEntry
+from gripcourse.gradebook.model import Attempt, GradebookEntry, latest_marks
 from gripcourse.gradebook.timing import Waiver
 from gripcourse.gradebook.works import in_order, points_of, works_of
 from gripcourse.text.shown import shown
@@ -63,7 +67,7 @@ def history(
         remedy = did_you_mean(student, everybody)
         raise UsageError([Problem("", "", what, remedy, parameter="student")])
     touched = {one.regrade for one in attempts} - {None}
-    events: list[Event] = []
+    regraded: list[Event] = []
     for one in regrades(book):
         if one.number in touched or one.undoes in touched:
             what = (
@@ -71,11 +75,10 @@ def history(
                 if one.undoes is None
                 else message("Regrade {number} was taken back.", number=one.undoes)
             )
-            events.append(Event(one.signed.done_at, one.signed.person, what, one.signed.why))
+            regraded.append(Event(one.signed.done_at, one.signed.person, what, one.signed.why))
     batches = batches_by_time(book.engine)
     numbers = _numbers(attempts)
-    events += _of_attempts(attempts, numbers, batches)
-    events += [_of_mark(entry, called) for entry in book.entries({student})]
+    published: list[Event] = []
     for told in publications(book):
         if told.student == student:
             said = message(
@@ -84,9 +87,75 @@ def history(
                 most=round(told.max_points, _DECIMALS),
                 number=numbers.get(told.attempt, told.attempt),
             )
-            events.append(Event(told.signed.done_at, told.signed.person, said, ""))
-    events += [_of_waiver(one) for one in waived.get(student, ())]
-    return tuple(sorted(events, key=lambda one: one.at))
+            published.append(Event(told.signed.done_at, told.signed.person, said, ""))
+    marks: dict[str, list[Event]] = {}
+    for entry in book.entries({student}):
+        marks.setdefault(entry.mark.quantity, []).append(_of_mark(entry, called))
+    return _by_time(
+        regraded,
+        tuple(_of_attempts(attempts, numbers, batches)),
+        *marks.values(),
+        published,
+        tuple(map(_of_waiver, waived.get(student, ()))),
+    )
+
+
+def _by_time(*series: Sequence[Event]) -> tuple[Event, ...]:
+    """Put events in order of time, and those of one series always as they were kept.
+
+    Of a series the last one counts, also where the clock was set back before it.
+    """
+    placed: list[tuple[datetime, Event]] = []
+    for events in series:
+        times = accumulate((one.at for one in events), max)
+        placed += zip(times, events, strict=True)
+    return tuple(one for _, one in sorted(placed, key=lambda pair: pair[0]))
+
+
+def what_counts(place: str, student: str, context: GradingContext) -> Message | None:
+    """Say which work of a student counts, and what lateness leaves of its points.
+
+    Args:
+        place: of the gradebook: a path or a database URL.
+        student: id.
+        context: of the course, by whose policy and deadlines of today it is counted.
+
+    Returns:
+        The sentence; None where no rule asks for one, or where nothing was judged.
+
+    Raises:
+        GradebookError: there is no gradebook, or it cannot be used.
+        TableError: the table of deadlines cannot be used.
+    """
+    book, rule = existing_gradebook(place), context.policy.late
+    deadlines = course_deadlines(context.course.root, rule)
+    counted = counted_work(
+        context.policy,
+        works_of(book.standing({student})).get(student, ()),
+        latest_marks(book.entries({student})),
+        deadline_by_rule(context.register.get(student), deadlines, rule),
+        waivers(book).get(student, ()),
+    )
+    if counted is None or counted.timing is None:
+        return None
+    number, earned, sums = counted.timing.number, counted.earned, counted.sums
+    points, most = round(earned, _DECIMALS), round(sums.max_score, _DECIMALS)
+    if earned == sums.score:
+        return message(
+            "What counts today: attempt {number}, {points} of {most} points.",
+            number=number,
+            points=points,
+            most=most,
+        )
+    return message(
+        "What counts today: attempt {number}, {points} of {most} points; before lateness (days"
+        " late: {days}) {before}.",
+        number=number,
+        points=points,
+        most=most,
+        days=counted.timing.days_late,
+        before=round(sums.score, _DECIMALS),
+    )
 
 
 def _of_waiver(waiver: Waiver) -> Event:
