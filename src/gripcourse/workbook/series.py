@@ -21,7 +21,7 @@ _COLUMNS: Final = 12  # of sizes in a row, as many as a page has room for
 _WIDTH: Final = 9.0  # of a column, in characters
 _FIRST: Final = 3  # row of the first series
 _HEADING: Final = 46.0  # points of the headings of a table
-_LINE: Final = 14.0  # points of a row
+_LINE: Final = 12.75  # points of a row
 _PAGE: Final = 850.0  # points of rows on a page where the columns are as wide as it
 _DRAWN_TOGETHER: Final = 1.15  # of a page: so much is printed smaller, on one
 
@@ -139,6 +139,8 @@ def _write_lines(
     sheet: "Worksheet", row: int, lines: Sequence[Sequence[float]], styles: Styles
 ) -> int:
     for offset, line in enumerate(lines):
+        # LibreOffice takes no height from the sheet: it would press these rows together.
+        sheet.set_row(row + offset, _LINE)
         for column, size in enumerate(line):
             sheet.write_number(row + offset, column, size, styles.size)
     return row + len(lines)
