@@ -117,7 +117,7 @@ def test_a_line_is_filled_before_what_must_not_be_broken(templates: Path) -> Non
     title = "height of the beam: by its strength, and not less than 1/50 of its length"
     (templates / "title.html.j2").write_text(
         '<html lang="en"><style>@page { size: {{ wide }}mm 60mm; margin: 0 }'
-        'body { margin: 0; font: 9pt "DejaVu Sans" }</style><body>{{ title | prose }}</body></html>',
+        'body { margin: 0; font: 9pt "DejaVu Sans" }</style>{{ title | prose }}',
         encoding="utf-8",
     )
     for tenths in range(830, 880, 3):
