@@ -38,6 +38,13 @@ _READ_BY_ALL = {
     '<div class="table-wrapper': '<div tabindex="0" class="table-wrapper',
 }
 
+# A table that is wider than a telephone is moved inside of its frame: its columns need not be as
+# narrow as a word. The index breaks its long names instead.
+_STYLE = (
+    "<style>@media (max-width: 46em) { .table-wrapper td { min-width: 9em } }"
+    " .indextable { table-layout: fixed; overflow-wrap: anywhere }</style>"
+)
+
 
 def setup(app: Sphinx) -> None:
     """Take every page into our hands after the theme's."""
@@ -51,3 +58,4 @@ def let_all_read(
     for name in ("body", "furo_navigation_tree"):
         for written, better in _READ_BY_ALL.items():
             context[name] = context.get(name, "").replace(written, better)
+    context["metatags"] = context.get("metatags", "") + _STYLE

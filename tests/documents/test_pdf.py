@@ -98,9 +98,9 @@ def test_no_line_ends_inside_the_name_of_a_standard(templates: Path) -> None:
     [
         ("not less than h_V/3", ["hV/3"]),
         ("else √(σ_b/[σ]_b) & more", ["√(σb/[σ]b)"]),
-        ("ratio P/F, or b/d", ["P/F,", "b/d"]),
-        ("a & b/d", ["b/d"]),
-        ("formulas (12–14)", ["(12–14)"]),
+        ("ratio P/F, or b/d", ["P/\u2060F,", "b/\u2060d"]),
+        ("a & b/d", ["b/\u2060d"]),
+        ("formulas (12–14)", ["(12–\u206014)"]),
         ("jaw/drive, and/or, 1999/ISO", []),
     ],
 )
@@ -109,8 +109,22 @@ def test_no_line_ends_inside_a_short_formula_or_a_range(
 ) -> None:
     (templates / "title.html.j2").write_text("{{ title | prose }}", encoding="utf-8")
     page = render_html(Document("title.html.j2", (), {"title": title}), templates, Words("en"))
-    _, *found = page.split('<span class="unbroken">')
-    assert [re.sub(r"<[^>]*>", "", one).split()[0] for one in found] == together
+    found = re.findall(r'<span class="unbroken">.*</span>|\S*\u2060\S*', page)
+    assert [re.sub(r"<[^>]*>", "", one) for one in found] == together
+
+
+def test_a_line_is_filled_before_what_must_not_be_broken(templates: Path) -> None:
+    title = "height of the beam: by its strength, and not less than 1/50 of its length"
+    (templates / "title.html.j2").write_text(
+        '<html lang="en"><style>@page { size: {{ wide }}mm 60mm; margin: 0 }'
+        'body { margin: 0; font: 9pt "DejaVu Sans" }</style>{{ title | prose }}',
+        encoding="utf-8",
+    )
+    for tenths in range(830, 880, 3):
+        values = {"title": title, "wide": tenths / 10}
+        printed = render_pdf(Document("title.html.j2", (), values), templates, Words("en"))
+        first = PdfReader(io.BytesIO(printed)).pages[0].extract_text().splitlines()[0]
+        assert len(first) > len(title) / 2, tenths
 
 
 def test_no_line_ends_at_a_minus(templates: Path) -> None:

@@ -34,7 +34,7 @@ def text_of_page(made: bytes) -> str:
     """Return the text of a document that was not laid out, every run of spaces as one space."""
     page = made.removeprefix(SIGNATURE).decode()
     text = unescape(re.sub(r"<[^>]*>", " ", page[page.index("<body") :]))
-    return " ".join(text.split())
+    return " ".join(text.replace("\u2060", "").split())
 
 
 @contextmanager

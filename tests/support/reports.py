@@ -139,7 +139,7 @@ def _rejected(report: Report) -> Report:
 
 def _read(page: str) -> str:
     """Return the text of HTML, every run of spaces as one space."""
-    text = html.unescape(re.sub(r"<[^>]*>", " ", page[page.index("<body") :]))
+    text = html.unescape(re.sub(r"<[^>]*>", " ", page[page.index("<body") :])).replace("\u2060", "")
     return " ".join(text.split())
 
 

@@ -232,13 +232,14 @@ def published(opened: "Server", tmp_path_factory: pytest.TempPathFactory) -> Ite
     """The first student has handed in and sees results; somebody asks for another look."""
     folder, context, now = tmp_path_factory.mktemp("published"), opened.context, opened.clock.now
     issued = opened.classroom.register["s01"]
-    files = {"work.xlsx": opened.filled("s01", folder), "view.svg": DRAWING}
+    long = f"{'исправлено_окончательно_' * 3}.xlsx"
+    files = {long: opened.filled("s01", folder), "view.svg": DRAWING}
     for name, data in files.items():
         hand_in(context, issued, NamedBytes(name, data), now)
     opened.grade(folder)
     flag_first(opened.graded / GRADES_JSON)
     publish(context, opened.graded, "Dr. Ray", "term over", now)
-    context.desk.add_request("s01", "grip_force", "Please look again.", now)
+    context.desk.add_request("s01", "grip_force", f"Please look again{'!' * 200}", now)
     yield
     withdraw(context, "Dr. Ray", "", now)
 
@@ -255,17 +256,20 @@ def desk(opened: "Server", address: str, browser: "WebDriver") -> str:
 
 
 def broken_rules(browser: "WebDriver") -> list[str]:
-    """Return which rules of axe a page breaks, and where."""
+    """Return which rules of axe a page breaks, and where; and whether it is too wide."""
     run_scripts(browser, allowed=True)  # axe waits by timers, which the page would not run
     browser.execute_script(AXE)
     found = browser.execute_async_script(
         "const done = arguments[0];"
         " axe.run({resultTypes: ['violations']}).then(done, fault => done(String(fault)))"
     )
+    beyond = browser.execute_script(
+        "const all = document.documentElement; return all.scrollWidth - all.clientWidth"
+    )
     run_scripts(browser, allowed=False)
     assert isinstance(found, dict), found
     assert len(found["passes"]) > 10
-    return [
+    return ["wider than its window"] * (beyond > 0) + [
         f"{one['id']}: {one['help']}: {node['html'][:200]}"
         for one in found["violations"]
         for node in one["nodes"]

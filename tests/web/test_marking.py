@@ -86,7 +86,7 @@ def test_a_mark_is_corrected_where_it_was_entered(
     lines = LINES | {"line:sizes": "0"}
     marked(signed_in, PAGE, **LINES, comment="too much")
     page = unescape(signed_in.get(PAGE).text)
-    assert "“too much”" in page
+    assert "<q>too much</q>" in page
     assert PAGE in places(signed_in.get("/desk/student/s01").text)
     marked(signed_in, PAGE, **lines, comment="rather so")
     marks = [one.mark for one in book(graded).entries({"s01"}) if one.mark.quantity == DRAWING]

@@ -26,13 +26,18 @@ class Curve:
 
 @dataclass(frozen=True, slots=True)
 class AtlasFigure:
-    """A figure: its curves against one given quantity, from and to in its declared unit."""
+    """A figure: its curves against one given quantity, from and to in its declared unit.
+
+    Attributes:
+        ordinate: what all curves show; None where the figure does not say it.
+    """
 
     number: int
     title: Texts
     against: str
     low: float
     high: float
+    ordinate: Texts | None
     curves: tuple[Curve, ...]
 
 
@@ -139,6 +144,7 @@ def _figure(table: Table) -> AtlasFigure:
         table.text("against"),
         table.number("from"),
         table.number("to"),
+        table.texts("ordinate") if "ordinate" in table.values else None,
         tuple(
             Curve(int(one.number("number")), one.text("quantity"), one.numbers("at"))
             for one in table.tables("curves")

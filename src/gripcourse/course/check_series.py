@@ -17,8 +17,13 @@ def check_series(
     columns: Mapping[str, Column],
     column_dimensions: Mapping[str, tuple[Dimension, Dimension]],
 ) -> Iterator[Problem]:
-    """Yield the problems of every series: it must exist, be sizes, and be what is decided."""
+    """Yield the problems of every series: it must exist, be sizes, and be what is decided.
+
+    Of the tables that a computed quantity may be read from, those that there are not.
+    """
     for one in quantities:
+        if one.read_from and one.read_from not in columns:
+            yield _unknown(one, f"quantity.{one.id}.read_from", one.read_from, columns)
         if one.choice is None:
             continue
         for key, name in (("series", one.choice.column), *(("also", n) for n in one.choice.also)):
@@ -26,12 +31,16 @@ def check_series(
                 continue
             place = f"quantity.{one.id}.{key}"
             if name not in columns:
-                what = message("There is no catalogue column '{name}'.", name=name)
-                yield Problem(one.file, place, what, did_you_mean(name, columns))
+                yield _unknown(one, place, name, columns)
             elif not _holds_sizes(columns[name]):
                 yield Problem(one.file, place, _NO_SIZES, _TAKE_SIZES)
             elif known(one.unit) and column_dimensions[name][1] != dimension(one.unit):
                 yield Problem(one.file, place, _OTHER_DIMENSION, _remedy(name))
+
+
+def _unknown(one: Quantity, place: str, name: str, columns: Iterable[str]) -> Problem:
+    what = message("There is no catalogue column '{name}'.", name=name)
+    return Problem(one.file, place, what, did_you_mean(name, columns))
 
 
 _NO_SIZES: Message = message("The column does not hold the sizes of its catalogue.")

@@ -26,7 +26,8 @@ def columns_read(quantity: Quantity, formula: Formula | None) -> tuple[str, ...]
     """
     choice = quantity.choice
     if choice is None:
-        return columns_of_formula(formula)
+        told = (quantity.read_from,) if quantity.read_from else ()
+        return (*columns_of_formula(formula), *told)
     read = (*columns_of_formula(formula), *columns_of_formula(choice.condition))
     return tuple(dict.fromkeys((choice.column, *choice.also, *read)))
 

@@ -209,6 +209,7 @@ ATLAS: Final = Shape(
                 "against": text("The given along the axis.", required=True),
                 "from": number("Where the axis begins, in declared units.", required=True),
                 "to": number("Where the axis ends.", required=True),
+                "ordinate": texts("What all lines show, beside the other axis."),
                 "curves": tables(
                     "The lines of the figure.",
                     {

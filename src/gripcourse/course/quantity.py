@@ -180,6 +180,8 @@ class Quantity:
             that the chosen entry must not be below; None for the others.
         route: what gives the same value by another way, from other answers; None for none. Who
             has a wrong number on one way may have gone the other.
+        read_from: `catalogue.column` that students may read it from, where its formula reads no
+            table; empty for none.
         choice: the rule of a CHOICE, None for the others.
         value: of a CONSTANT, in `unit`; None for the others.
         valid: guard: only a student's value that satisfies it is carried on; None for no guard.
@@ -214,6 +216,7 @@ class Quantity:
     source: Source
     formula: Formula | None
     route: Formula | None
+    read_from: str
     choice: Choice | None
     value: float | None
     valid: Formula | None

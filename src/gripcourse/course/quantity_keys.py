@@ -146,6 +146,12 @@ _BY_ROUTE: Final = {
         "the student's own numbers counts as what follows by the formula."
     )
 }
+_READ: Final = {
+    "read_from": text(
+        "`catalogue.column` that students may read it from, where its formula reads no table: the "
+        "table goes with the assignment."
+    )
+}
 _GIVEN: Final = {
     "default": number("What it is where an example or a calculation by hand states no other."),
     "range": table("What variants draw it from; the space of a scheme may replace it.", RANGE),
@@ -173,7 +179,7 @@ _PLAIN: Final = {**_COMMON, "unit": text("Empty, or left out.")}
 
 KEYS: Final[Mapping[str, Mapping[str, Key]]] = {
     Kind.GIVEN: _COMMON | _BOUNDED | _GIVEN,
-    Kind.FORMULA: _COMMON | _BOUNDED | _JUDGED | _COMPUTED | _BY_ROUTE,
+    Kind.FORMULA: _COMMON | _BOUNDED | _JUDGED | _COMPUTED | _BY_ROUTE | _READ,
     Kind.CHOICE: _COMMON | _BOUNDED | _JUDGED | _CHOICE,
     Kind.PICK: _COMMON | _BOUNDED | _JUDGED | _COMPUTED,
     Kind.VERDICT: _PLAIN

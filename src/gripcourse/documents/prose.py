@@ -26,6 +26,9 @@ _SHORT: Final = re.compile(
     r"(?<!\S)(?=\S{3,30}(?!\S))\S*(?:\w[)\]]*/[(\[√]*(?:\d|[^\W\d_](?![^\W_])|[^\W\d_]{1,2}_)|\d–\d)\S*"
 )
 
+_ENDS: Final = re.compile(r"[/–-](?=.)")  # after which a line may end
+_JOINER: Final = "\N{WORD JOINER}"
+
 # `ISO 5292`, `ГОСТ Р 52543`: capitals and a number.
 _STANDARD: Final = re.compile(r"(?<=[^\W\d_a-zа-яёіїєґ]{2}) (?=\d)")
 
@@ -57,7 +60,15 @@ def below(title: object) -> "Markup":
 
 def _unbroken(escaped: str) -> str:
     """Let no line end after the slash of a short formula, nor inside a range of numbers."""
-    return _SHORT.sub(r'<span class="unbroken">\g<0></span>', escaped)
+    return _SHORT.sub(_joined, escaped)
+
+
+def _joined(found: re.Match[str]) -> str:
+    # WeasyPrint ends a line after its first word where what must not be broken is a little too
+    # wide for it. A sign that joins does no such harm; only what is set as a formula needs more.
+    if SYMBOL.search(found[0]):
+        return f'<span class="unbroken">{found[0]}</span>'
+    return _ENDS.sub(rf"\g<0>{_JOINER}", found[0])
 
 
 def _raised(escaped: str) -> str:

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Final
 
 from gripcourse.exports.csv_text import text_cell
 from gripcourse.machine.files import write_bytes
+from gripcourse.machine.spreadsheet.table_page import set_table_page
 from gripcourse.policy.rubric import Rubric, RubricLine, lines_of
 from gripcourse.text.conventions import is_english
 from gripcourse.text.shown import shown
@@ -132,6 +133,7 @@ def _workbook(columns: Sequence[_MarksColumn], count: int) -> bytes:
             if column.lines is not None:
                 _ask(book, sheet, place, column.lines)
         sheet.freeze_panes(1, 2)
+        set_table_page(sheet)
         sheet.autofilter(0, 0, count, len(columns) - 1)
     return stream.getvalue()
 

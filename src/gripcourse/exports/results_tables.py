@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 from gripcourse.exports.csv_text import rounded_points, text_cell
 from gripcourse.exports.grades import NOT_HANDED_IN
 from gripcourse.exports.report_result import FindingResult, GradesResult, ReportResult
+from gripcourse.machine.spreadsheet.table_page import set_table_page
 from gripcourse.text.shown import shown
 from gripcourse.variants.model import Student
 
@@ -101,8 +102,10 @@ def workbook(tables: "Mapping[str, pd.DataFrame]") -> bytes:
             _cells(table, shown, lambda value: float(_number(value))).to_excel(
                 writer, sheet_name=name, index=False
             )
-            writer.sheets[name].freeze_panes(1, 0)
-            writer.sheets[name].autofit()
+            sheet = writer.sheets[name]
+            sheet.freeze_panes(1, 0)
+            sheet.autofit()
+            set_table_page(sheet)
     return stream.getvalue()
 
 

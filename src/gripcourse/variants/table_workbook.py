@@ -10,6 +10,7 @@ from gripcourse.course.model import Course
 from gripcourse.course.option_sets import pair_option_sets
 from gripcourse.course.quantity import Kind, Quantity
 from gripcourse.machine.files import replacing
+from gripcourse.machine.spreadsheet.table_page import set_table_page
 from gripcourse.text.units import unit_text
 from gripcourse.text.words import Words, message
 from gripcourse.variants.cells import converted
@@ -62,6 +63,7 @@ def write_table_workbook(path: Path, variants: Sequence[Variant], course: Course
             if column.choices:
                 _offer(sheet, lists, place, column.choices, len(variants))
         sheet.freeze_panes(1, 1)
+        set_table_page(sheet, in_front=1)
 
 
 def declared_units(course: Course) -> dict[tuple[str, str], str]:

@@ -37,6 +37,7 @@ from gripcourse.workbook.style import (
     Styles,
     decimals_shown,
     make_styles,
+    new_book,
     row_height,
     set_page,
     write_symbol,
@@ -101,11 +102,8 @@ def write_key_workbook(path: Path, plan: Plan, variant: Variant, words: Words) -
 
 def key_workbook(plan: Plan, variant: Variant, words: Words) -> bytes:
     """Return the content of the key of a variant; see `write_key_workbook`."""
-    # A twentieth of a second to import: only those who make a workbook pay for it.
-    from xlsxwriter import Workbook  # noqa: PLC0415
-
     stream = io.BytesIO()
-    book = Workbook(stream, {"in_memory": True})
+    book = new_book(stream)
     styles = make_styles(book)
     yes, no = words.say(message("yes")), words.say(message("no"))
     styles.verdict.set_num_format(f'[=1]"{yes}";[=0]"{no}";General')

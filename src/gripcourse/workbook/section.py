@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from xlsxwriter import Workbook
     from xlsxwriter.worksheet import Worksheet
 
+_BY_INSTRUCTOR: Final = message("marked by the instructor")
 _TITLE_ROW: Final = 0
 _TASK_ROW: Final = 1
 _HINT_ROW: Final = 2
@@ -60,7 +61,8 @@ def write_section(
         book.define_name(name, f"={line.place.reference}")
     for line in section.manual:
         write_line(sheet, line, styles)
-        said = words.say(message("marked by the instructor"))
+        said = words.say(_BY_INSTRUCTOR)
+        sheet.set_row(line.place.row, _manual_height(line, said))
         sheet.write_string(line.place.row, line.place.column, said, styles.manual)
     sheet.freeze_panes(SECTION_HEADER + 1, 0)
     sheet.repeat_rows(SECTION_HEADER)
@@ -75,7 +77,14 @@ def _heights(section: SectionSheet, words: Words) -> Iterator[float]:
     top = (section.task, words.say(DECIMAL_SIGN))
     yield from (row_height([(text, sum(WIDTHS.values()))]) for text in top)
     yield _TITLE_HEIGHT + 2 * _HEAD_HEIGHT
-    yield from map(line_height, (*section.answered, *section.manual))
+    yield from map(line_height, section.answered)
+    said = words.say(_BY_INSTRUCTOR)
+    yield from (_manual_height(line, said) for line in section.manual)
+
+
+def _manual_height(line: SheetLine, said: str) -> float:
+    """Return the height of the row of what a person marks, which is said in its answer's cell."""
+    return max(line_height(line), row_height([(said, WIDTHS[SheetColumn.VALUE])]))
 
 
 def _write_top(sheet: "Worksheet", section: SectionSheet, words: Words, styles: Styles) -> None:

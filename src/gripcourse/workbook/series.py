@@ -1,7 +1,6 @@
 """The sheet of an answer workbook with the series and tables that its answers are taken from."""
 
-import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING, Final
 
 from gripcourse.formula.prose import without_looks
@@ -17,11 +16,11 @@ if TYPE_CHECKING:
     from xlsxwriter import Workbook
     from xlsxwriter.worksheet import Worksheet
 
-_COLUMNS: Final = 12  # of sizes in a row, as many as a page has room for
-_WIDTH: Final = 9.0  # of a column, in characters
+_COLUMNS: Final = 10  # of sizes in a row, as many as a page has room for
+_WIDTH: Final = 10.8  # of a column, in characters
 _FIRST: Final = 3  # row of the first series
-_HEADING: Final = 46.0  # points of the headings of a table
-_LINE: Final = 14.0  # points of a row
+_LINE: Final = 12.75  # points of a row
+_HEADING_LETTERS: Final = 0.86  # of headings beside usual ones: bold, and smaller
 _PAGE: Final = 850.0  # points of rows on a page where the columns are as wide as it
 _DRAWN_TOGETHER: Final = 1.15  # of a page: so much is printed smaller, on one
 
@@ -58,7 +57,8 @@ def write_series(
         sheet.write_string(row, 0, heading, styles.heading_line)
         sheet.set_row(row, row_height([(heading, _WIDTH * _COLUMNS)]))
         row = 1 + _write_table(sheet, row + 1, table, words, styles)
-        heights.append((first, _LINE * (row - first) + (_HEADING - _LINE) * _headings(table)))
+        beyond = sum(_heading_height(table, names, words) - _LINE for names in _parts(table))
+        heights.append((first, _LINE * (row - first) + beyond))
     together = sum(height for _, height in heights) <= _DRAWN_TOGETHER * _PAGE
     set_page(sheet, title, right, tall=1 if together else 0)
     if not together:
@@ -83,9 +83,16 @@ def page_breaks(heights: Sequence[tuple[int, float]], page: float) -> list[int]:
     return breaks
 
 
-def _headings(table: NeededTable) -> int:
-    """Return in how many rows the headings of a table stand: see `_write_table`."""
-    return 0 if table.is_series else math.ceil((len(table.columns) - 1) / (_COLUMNS - 1))
+def _parts(table: NeededTable) -> Iterator[tuple[str, ...]]:
+    """Yield the columns of each part of a table: a wide one goes on below, its sizes in front."""
+    if not table.is_series:
+        first, *others = table.columns
+        for at in range(0, len(others), _COLUMNS - 1):
+            yield first, *others[at : at + _COLUMNS - 1]
+
+
+def _heading_height(table: NeededTable, names: Iterable[str], words: Words) -> float:
+    return row_height((_heading(table, name, words), _WIDTH / _HEADING_LETTERS) for name in names)
 
 
 def _title(table: NeededTable, words: Words) -> str:
@@ -110,15 +117,11 @@ def _write_table(
         sizes = [size for (size,) in table.rows]
         lines = [sizes[at : at + _COLUMNS] for at in range(0, len(sizes), _COLUMNS)]
         return _write_lines(sheet, row, lines, styles)
-    first = table.columns[0]
-    # A table that is wider than the page goes on below, each time with its sizes in front.
-    others = table.columns[1:]
-    for at in range(0, len(others), _COLUMNS - 1):
-        names = (first, *others[at : at + _COLUMNS - 1])
+    for names in _parts(table):
         shown = [table.columns.index(name) for name in names]
         for column, name in enumerate(names):
-            sheet.write_string(row, column, _heading(table, name, words), styles.head)
-        sheet.set_row(row, _HEADING)
+            sheet.write_string(row, column, _heading(table, name, words), styles.small_head)
+        sheet.set_row(row, _heading_height(table, names, words))
         row = _write_lines(
             sheet, row + 1, [[line[index] for index in shown] for line in table.rows], styles
         )
@@ -139,6 +142,8 @@ def _write_lines(
     sheet: "Worksheet", row: int, lines: Sequence[Sequence[float]], styles: Styles
 ) -> int:
     for offset, line in enumerate(lines):
+        # LibreOffice takes no height from the sheet: it would press these rows together.
+        sheet.set_row(row + offset, _LINE)
         for column, size in enumerate(line):
             sheet.write_number(row + offset, column, size, styles.size)
     return row + len(lines)

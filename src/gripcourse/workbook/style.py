@@ -4,12 +4,13 @@ import math
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from itertools import groupby
-from typing import TYPE_CHECKING, Final, Literal, TypeAlias
+from typing import TYPE_CHECKING, BinaryIO, Final, Literal, TypeAlias
 
 from gripcourse.formula.boxes import Box, Script, Text, inner
 from gripcourse.formula.prose import subscript_runs
 from gripcourse.formula.typeset import declared_symbol
 from gripcourse.text.shown import shown
+from gripcourse.workbook.wrapping import lines_taken
 
 if TYPE_CHECKING:
     from xlsxwriter import Workbook
@@ -39,9 +40,8 @@ MOST_DECIMALS: Final = 12
 _LINE_HEIGHT: Final = 13.0  # points
 _PADDING: Final = 6.0
 # Points of rows on a page for each character of its width: the wider, the smaller it is printed.
-_PAGE_HEIGHT: Final = 8.9
-_DRAWN_TOGETHER: Final = 0.15  # of a page, as wide as the columns of a section make it
-_WIDEST_LETTERS: Final = 0.9  # a letter of text beside the digits that columns are measured in
+_PAGE_HEIGHT: Final = 7.4
+_DRAWN_TOGETHER: Final = 0.25  # of a page, as wide as the columns of a section make it
 
 RunKind: TypeAlias = Literal["italic", "upright", "sub"]
 
@@ -60,6 +60,7 @@ class Styles:
     label_wrapped: "Format"
     particular: "Format"
     head: "Format"
+    small_head: "Format"
     number: "Format"
     text: "Format"
     unit: "Format"
@@ -78,6 +79,19 @@ class Styles:
     sub: "Format"
     run: "Format"
     run_sub: "Format"
+
+
+def new_book(stream: BinaryIO) -> "Workbook":
+    """Return a workbook that is written into a stream when it is closed.
+
+    Columns are as wide as so many digits of its usual font: xlsxwriter's own is one that few free
+    systems have, and with another in its place all columns would have another width.
+    """
+    # A twentieth of a second to import: only those who make a workbook pay for it.
+    from xlsxwriter import Workbook  # noqa: PLC0415
+
+    usual = {"font_name": _FONT, "font_size": _SIZE}
+    return Workbook(stream, {"in_memory": True, "default_format_properties": usual})
 
 
 def make_styles(book: "Workbook") -> Styles:
@@ -102,6 +116,7 @@ def make_styles(book: "Workbook") -> Styles:
         label_wrapped=style(font_color=_FAINT, text_wrap=True),
         particular=style(bold=True),
         head=style(**wrapped, bold=True, bg_color=_HEAD, align="center"),
+        small_head=style(**wrapped, bold=True, bg_color=_HEAD, align="center", font_size=8),
         number=style(**middle, font_color=_FAINT),
         text=style(**wrapped, indent=1),
         unit=style(**middle),
@@ -201,13 +216,10 @@ def decimals_shown(value: float) -> int:
 def row_height(texts: Iterable[tuple[str, float]]) -> float:
     """Return the height of a row, in points, that shows wrapped texts whole.
 
-    Office programs do not agree on growing a row by themselves, so it is estimated.
-
     Args:
         texts: each with the width of its column, in characters.
     """
-    lines = max(math.ceil(_WIDEST_LETTERS * len(text) / width) for text, width in texts)
-    return _LINE_HEIGHT * max(lines, 1) + _PADDING
+    return _LINE_HEIGHT * max(lines_taken(text, width) for text, width in texts) + _PADDING
 
 
 def pages_tall(

@@ -18,7 +18,7 @@ from gripcourse.workbook.cover import write_cover
 from gripcourse.workbook.layout import WorkbookLayout, layout
 from gripcourse.workbook.section import write_section
 from gripcourse.workbook.series import write_series
-from gripcourse.workbook.style import make_styles
+from gripcourse.workbook.style import make_styles, new_book
 
 if TYPE_CHECKING:
     from xlsxwriter import Workbook
@@ -44,12 +44,9 @@ def write_answer_workbook(
 
 def answer_workbook(plan: Plan, issued: Issued, course: Course, words: Words) -> bytes:
     """Return the content of the workbook that a student fills in; see `write_answer_workbook`."""
-    # A twentieth of a second to import: only those who make a workbook pay for it.
-    from xlsxwriter import Workbook  # noqa: PLC0415
-
     placed = layout(plan, words)
     stream = io.BytesIO()
-    book = Workbook(stream, {"in_memory": True})
+    book = new_book(stream)
     styles = make_styles(book)
     write_cover(book, placed, plan, issued, words, styles)
     for sheet in placed.sheets:

@@ -33,7 +33,8 @@ def test_letters_of_a_low_row_are_narrowed_rather_than_made_smaller(name: str) -
 def test_a_name_that_one_line_cannot_hold_is_not_cut() -> None:
     found = set_in("Константинопольский-Черноризский Ю. А.", SMALL, (21.0, 5.0), most=2)
     assert found.lines == ("Константинопольский-", "Черноризский Ю. А.")
-    assert found.squeeze > 0.85
+    assert found.height >= 1.8  # the least of GOST 2.304: as high as letters of 7 pt in print
+    assert found.squeeze > 0.75
 
 
 def test_a_date_that_a_narrow_cell_cannot_hold_is_written_in_smaller_letters() -> None:

@@ -52,6 +52,8 @@ def _catalogues(quantity: Quantity) -> Iterator[str]:
     columns = [column for formula in quantity.formulas() for column in columns_in(formula)]
     if quantity.choice is not None:
         columns += [quantity.choice.column, *quantity.choice.also]
+    if quantity.read_from:
+        columns.append(quantity.read_from)
     yield from (column.partition(".")[0] for column in columns)
 
 

@@ -135,6 +135,8 @@ def _plot(
     label = f"{against.title.of(words.language)}, {unit_text(against.unit, words.language)}"
     units = dict.fromkeys(plan.quantities[one.quantity].unit for one in figure.curves)
     ordinate = "; ".join(unit_text(unit, words.language) for unit in units)
+    if figure.ordinate is not None:
+        ordinate = f"{figure.ordinate.of(words.language)}, {ordinate}"
     return cache(partial(line_plot, along, lines, label, ordinate, words))
 
 

@@ -197,7 +197,7 @@ def share_plot(pairs: Sequence[int], limit: float, words: Words) -> str:
 
 
 def line_plot(
-    along: NDArray[np.float64], lines: Sequence[ChartLine], label: str, unit: str, words: Words
+    along: NDArray[np.float64], lines: Sequence[ChartLine], label: str, ordinate: str, words: Words
 ) -> str:
     """Draw numbered curves over one abscissa, each with its number at its right end.
 
@@ -205,7 +205,7 @@ def line_plot(
         along: abscissae.
         lines: the curves.
         label: of the abscissa.
-        unit: of the ordinate.
+        ordinate: what stands beside the ordinate.
         words: the language of the axes.
     """
 
@@ -222,7 +222,7 @@ def line_plot(
                 place = drawn[int((len(drawn) - 1) * (0.25 + 0.7 * number / len(lines)))]
                 axes.annotate(line.name, (along[place], line.values[place]), **_NUMBER)
         axes.set_xlabel(label)
-        axes.set_ylabel(unit)
+        axes.set_ylabel(ordinate)
         axes.set_xlim(along[0], along[-1])
         axes.set_ylim(bottom=0)
         axes.xaxis.set_major_formatter(_whole(words))

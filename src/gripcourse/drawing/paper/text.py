@@ -30,8 +30,9 @@ _FILLED = 0.95
 _LEAST_HEIGHT = 1.0  # mm: smaller letters cannot be read
 
 LEADING = 1.45  # from one line to the next, in heights of capital letters
+_CLOSE = 1.28  # the same where lines are smaller than they should be: two of 1.8 mm in a row
 _CLEAR = 0.2  # of lines above and below several of them, in these heights
-_HEIGHTS = (5.0, 3.5, 2.5)  # mm, of GOST 2.304; its 1.8 is too small to be read on a sheet
+_HEIGHTS = (5.0, 3.5, 2.5)  # mm, of GOST 2.304; its 1.8 is for names that nothing else has room for
 _WIDE = 0.85  # of their width and more: nobody sees that letters are squeezed
 _WELL = 0.75  # of their width: seen, and read as well
 _WIDE_ENOUGH = 0.55  # of their width: such letters are still read
@@ -156,7 +157,7 @@ def set_in(
         if between.strip()
         else _balanced(text, high, room[0], count)
         for count in range(1, most + 1)
-        for high in [min(heights[-1], room[1] / _lines_high(count))]
+        for high in [min(heights[-1], room[1] / _lines_high(count, _CLOSE))]
     ]
     return max(map(_smaller, tiny), key=lambda one: one.height * one.squeeze)
 
@@ -183,9 +184,9 @@ def _counts(height: float, room: tuple[float, float], most: int) -> list[int]:
     return [one for one in range(1, most + 1) if height * _lines_high(one) <= room[1]]
 
 
-def _lines_high(count: int) -> float:
+def _lines_high(count: int, leading: float = LEADING) -> float:
     """Return how high so many lines stand, in heights of capital letters."""
-    return LEADING * count + _CLEAR * (count - 1)
+    return leading * count + _CLEAR * (count - 1)
 
 
 def _set(text: str, height: float, room: tuple[float, float], count: int, between: str) -> Setting:

@@ -1,0 +1,27 @@
+"""How a table is printed that has one row of headings and more columns than a page is wide."""
+
+from typing import TYPE_CHECKING, Final
+
+if TYPE_CHECKING:
+    from xlsxwriter.worksheet import Worksheet
+
+_PAPER_A4: Final = 9
+
+
+def set_table_page(sheet: "Worksheet", *, in_front: int = 0) -> None:
+    """Set a sheet up for A4 paper that lies, with its headings on every page.
+
+    Args:
+        sheet: its first row has the headings.
+        in_front: columns that stand on every page, where the table goes on to the right; 0 where
+            all columns are drawn together into one page's width.
+    """
+    sheet.set_paper(_PAPER_A4)
+    sheet.set_landscape()
+    sheet.set_margins(left=0.4, right=0.4, top=0.5, bottom=0.6)
+    sheet.set_footer("&L&A&C&P / &N")
+    sheet.repeat_rows(0)
+    if in_front:
+        sheet.repeat_columns(0, in_front - 1)
+    else:
+        sheet.fit_to_pages(1, 0)
