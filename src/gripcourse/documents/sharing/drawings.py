@@ -7,8 +7,8 @@ from weasyprint.draw.text import draw_first_line
 from weasyprint.text.fonts import get_pango_font_key
 
 from gripcourse.documents.sharing.bounded import Bounded
-from gripcourse.documents.sharing.drawn import Call, Drawing, Drawn, Font, FontUsed, Widths
-from gripcourse.documents.sharing.lines import Line
+from gripcourse.documents.sharing.drawn import Call, DrawnLine, Font, FontUsed, LineDrawing, Widths
+from gripcourse.documents.sharing.lines import KeptLine
 
 _MOST_FONTS: Final = 2000  # a font in two sizes is two
 _MOST_LETTERS: Final = 10_000
@@ -19,7 +19,7 @@ class _CannotBeKeptError(Exception):
     """A line is drawn with pictures, or with signs that no font has."""
 
 
-class Drawings:
+class SharedDrawings:
     """Does what a function of WeasyPrint does, with lines that were drawn before."""
 
     def __init__(self) -> None:
@@ -37,7 +37,7 @@ class Drawings:
         """Draw a line and return the pictures in it; a line that is kept has none."""
         asked = (textbox, text_overflow, block_ellipsis, matrix)
         line = textbox.pango_layout
-        if type(line) is not Line:
+        if type(line) is not KeptLine:
             return draw_first_line(stream, *asked)  # type: ignore[no-any-return]
         if text_overflow == "ellipsis" or block_ellipsis != "none" or not textbox.text.strip():
             line.wake()
@@ -64,7 +64,7 @@ class Drawings:
                 font.to_unicode.setdefault(glyph, letters)
         return []
 
-    def _keep(self, line: Line, sketch: "_Sketch") -> Drawing:
+    def _keep(self, line: KeptLine, sketch: "_Sketch") -> LineDrawing:
         drawn = line.shaped.drawn
         drawn.fonts = drawn.fonts or tuple(self._used(one, line) for one in sketch.fonts)
         real = [one.real for one in sketch.fonts]
@@ -72,13 +72,13 @@ class Drawings:
             {glyph: one.widths[glyph] for glyph in one.widths if glyph not in one.real.widths}
             for one in sketch.fonts
         )
-        drawing = Drawing(tuple(sketch.calls), new)
+        drawing = LineDrawing(tuple(sketch.calls), new)
         if len(drawn.drawings) >= _MOST_DRAWINGS:
             drawn.drawings.clear()
         drawn.drawings[_known_widths(real, drawn.fonts)] = drawing
         return drawing
 
-    def _used(self, font: "_SketchedFont", line: Line) -> FontUsed:
+    def _used(self, font: "_SketchedFont", line: KeptLine) -> FontUsed:
         holder = self._holders.get(font.pango)
         if holder is None:
             holder = line.layout
@@ -95,7 +95,7 @@ class Drawings:
         return known or pair
 
 
-def _known_drawing(drawn: Drawn, stream: Any) -> Drawing | None:  # noqa: ANN401
+def _known_drawing(drawn: DrawnLine, stream: Any) -> LineDrawing | None:  # noqa: ANN401
     if not drawn.fonts:
         return None
     fonts = [_font_in(stream, used) for used in drawn.fonts]

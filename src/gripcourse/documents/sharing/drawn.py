@@ -25,7 +25,7 @@ class FontUsed:
 
 
 @dataclass(frozen=True, slots=True)
-class Drawing:
+class LineDrawing:
     """The calls that draw a line, and for each font the widths that its document did not know."""
 
     calls: tuple[Call, ...]
@@ -33,7 +33,7 @@ class Drawing:
 
 
 @dataclass(slots=True)
-class Drawn:
+class DrawnLine:
     """The fonts of a line, none before it is drawn, and how it was drawn.
 
     That depends on the widths of glyphs that its document knows already: the first size in which a
@@ -41,4 +41,4 @@ class Drawn:
     """
 
     fonts: tuple[FontUsed, ...] = ()
-    drawings: dict[Widths, Drawing] = field(default_factory=dict)
+    drawings: dict[Widths, LineDrawing] = field(default_factory=dict)

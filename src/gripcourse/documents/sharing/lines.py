@@ -8,7 +8,7 @@ from typing import Any, Final
 from weasyprint.text.line_break import Layout, split_first_line
 
 from gripcourse.documents.sharing.bounded import Bounded
-from gripcourse.documents.sharing.drawn import Drawn
+from gripcourse.documents.sharing.drawn import DrawnLine
 from gripcourse.documents.sharing.values import is_settled
 
 _MOST_LINES: Final = 12_000  # a report has a thousand
@@ -56,7 +56,7 @@ class Shaped:
 
     text: str
     direction: int
-    drawn: Drawn = field(default_factory=Drawn)
+    drawn: DrawnLine = field(default_factory=DrawnLine)
 
 
 @dataclass(frozen=True, slots=True)
@@ -71,7 +71,7 @@ class _Split:
         return max_width is None or self.unbroken or bool(self.numbers[2] <= max_width)
 
 
-class Line(Layout):  # type: ignore[misc]
+class KeptLine(Layout):  # type: ignore[misc]
     """A line that is shaped anew by Pango only if it must be."""
 
     ascent = underline_position = strikethrough_position = None
@@ -102,7 +102,7 @@ class Line(Layout):  # type: ignore[misc]
         del self.drawn_in
 
 
-class Lines:
+class SharedLines:
     """Does what a function of WeasyPrint does, with lines that were shaped before."""
 
     def __init__(self, fonts: object) -> None:
@@ -143,7 +143,7 @@ class Lines:
                     self._whole.put(whole, found)
                 else:
                     self._split.put(this, found)
-        return Line(found.shaped, max_width, justification_spacing), *found.numbers
+        return KeptLine(found.shaped, max_width, justification_spacing), *found.numbers
 
     def _known_as(self, style: Any) -> int | None:  # noqa: ANN401
         """Return a number for all styles in which a text is broken alike.

@@ -48,7 +48,7 @@ _values = itemgetter(*READ)
 _strut_values = itemgetter(*STRUT_READ)
 
 
-class Sizes:
+class SharedSizes:
     """Does what two functions of WeasyPrint do, with what was worked out before."""
 
     def __init__(self, fonts: object) -> None:

@@ -42,7 +42,7 @@ class _PageSizes(dict[str, tuple[float, float]]):
 
 
 @dataclass(slots=True)
-class _Place:
+class _StylePlace:
     """Where elements stand alike.
 
     Attributes:
@@ -55,7 +55,7 @@ class _Place:
     model: Any
     cascaded: dict[str | None, _Cascaded]
     pseudo: dict[str, Any] = field(default_factory=dict)
-    below: dict[Any, "_Place"] = field(default_factory=dict)
+    below: dict[Any, "_StylePlace"] = field(default_factory=dict)
 
     @property
     def anchored(self) -> list[str]:
@@ -63,11 +63,11 @@ class _Place:
 
 
 @dataclass(slots=True)
-class _Places:
+class _StylePlaces:
     """All places under one set of style sheets."""
 
     sizes: _PageSizes = field(default_factory=_PageSizes)
-    roots: dict[Any, _Place] = field(default_factory=dict)
+    roots: dict[Any, _StylePlace] = field(default_factory=dict)
     number: int = 0
 
 
@@ -102,7 +102,7 @@ class SharedStyles:
 
     def __init__(self, fonts: object) -> None:
         self._fonts = fonts
-        self._places: Bounded[Any, _Places] = Bounded(_MOST_SETS)
+        self._places: Bounded[Any, _StylePlaces] = Bounded(_MOST_SETS)
 
     def style_for(
         self,
@@ -119,7 +119,7 @@ class SharedStyles:
         key = (tuple(sheets), html.base_url)
         places = self._places.get(key)
         if places is None or places.number > _MOST_PLACES or places.sizes.was_asked:
-            places = _Places()
+            places = _StylePlaces()
             self._places.put(key, places)
         return _StylesOfDocument(html, sheets, font_config, target_collector, places)
 
@@ -133,7 +133,7 @@ class _StylesOfDocument(StyleFor):  # type: ignore[misc]
         sheets: list[_Sheet],
         fonts: Any,  # noqa: ANN401
         collector: Any,  # noqa: ANN401
-        places: _Places,
+        places: _StylePlaces,
     ) -> None:
         self._cascaded_styles: dict[Any, Any] = {}  # of pages, later
         self._computed_styles: dict[Any, Any] = {}
@@ -143,7 +143,7 @@ class _StylesOfDocument(StyleFor):  # type: ignore[misc]
         self._root = html.etree_element
         self._base_url = html.base_url
         self._places = places
-        self._place_of: dict[_Element, _Place] = {}
+        self._place_of: dict[_Element, _StylePlace] = {}
         self._set_all(html, collector)
 
     def __call__(self, element: _Element, pseudo_type: str | None = None) -> Any:  # noqa: ANN401
@@ -185,7 +185,7 @@ class _StylesOfDocument(StyleFor):  # type: ignore[misc]
         wrapper: Any,  # noqa: ANN401
         parent: _Element,
         said: Iterable[_Declared],
-    ) -> _Place:
+    ) -> _StylePlace:
         matches = [sheet[0].matcher.match(wrapper) for sheet in self._sheets]
         # A rule is known by the sheet and its order in it.
         rules = tuple([tuple([rule[:2] for rule in matched]) for matched in matches])
@@ -195,13 +195,13 @@ class _StylesOfDocument(StyleFor):  # type: ignore[misc]
         place = beside.get((rules, words))
         if place is None:
             cascaded = _cascaded(self._sheets, matches, said)
-            place = _Place(self._model(cascaded[None], above), cascaded)
+            place = _StylePlace(self._model(cascaded[None], above), cascaded)
             beside[rules, words] = place
             self._places.number += 1
         return place
 
     def _model(
-        self, cascaded: _Cascaded, above: _Place | None, pseudo_type: str | None = None
+        self, cascaded: _Cascaded, above: _StylePlace | None, pseudo_type: str | None = None
     ) -> ComputedStyle:
         if above is None:
             parent, root = None, InitialStyle(self.font_config)
@@ -212,7 +212,7 @@ class _StylesOfDocument(StyleFor):  # type: ignore[misc]
             parent, cascaded, pseudo_type, root, self._base_url, self.font_config, sizes
         )
 
-    def _set_pseudo(self, element: _Element, pseudo_type: str, place: _Place) -> None:
+    def _set_pseudo(self, element: _Element, pseudo_type: str, place: _StylePlace) -> None:
         model = place.pseudo.get(pseudo_type)
         if model is None:
             model = self._model(place.cascaded[pseudo_type], place, pseudo_type)

@@ -88,13 +88,13 @@ def _names(fonts: object) -> tuple[_Name, ...]:
     from weasyprint.layout import percent  # noqa: PLC0415
     from weasyprint.text import line_break  # noqa: PLC0415
 
-    from gripcourse.documents.sharing.drawings import Drawings  # noqa: PLC0415
-    from gripcourse.documents.sharing.lines import Lines  # noqa: PLC0415
-    from gripcourse.documents.sharing.sizes import Sizes  # noqa: PLC0415
+    from gripcourse.documents.sharing.drawings import SharedDrawings  # noqa: PLC0415
+    from gripcourse.documents.sharing.lines import SharedLines  # noqa: PLC0415
+    from gripcourse.documents.sharing.sizes import SharedSizes  # noqa: PLC0415
     from gripcourse.documents.sharing.styles import SharedStyles  # noqa: PLC0415
 
-    lines, drawings = Lines(fonts), Drawings()
-    sizes, styles = Sizes(fonts), SharedStyles(fonts)
+    lines, drawings = SharedLines(fonts), SharedDrawings()
+    sizes, styles = SharedSizes(fonts), SharedStyles(fonts)
     instead: tuple[tuple[Callable[..., Any], Callable[..., Any]], ...] = (
         (css.StyleFor, styles.style_for),
         (line_break.split_first_line, lines.split_first_line),
