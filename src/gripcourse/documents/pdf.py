@@ -32,6 +32,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from gripcourse.documents.prose import below, prose, seen
+from gripcourse.documents.sharing.switch import shared_between_documents
 from gripcourse.documents.template_faults import is_of_a_template, template_problem
 from gripcourse.documents.two_columns import groups, two_columns
 from gripcourse.errors import CourseError, NextStep, Problem, UsageError
@@ -119,7 +120,8 @@ def render_html(
 
 def pdf_from_html(html: str, styles: tuple[str, ...], templates: Path) -> bytes:
     """Lay out HTML with the named style sheets; nothing is ever fetched from outside of it."""
-    with few_collections():
+    fonts = _fonts()
+    with few_collections(), shared_between_documents(fonts):
         document = _laid_out(html, styles, templates)
         return bytes(document.write_pdf(pdf_variant=_VARIANT, finisher=_scoped))
 
@@ -231,7 +233,8 @@ def template_environment(
 
 @lru_cache(maxsize=1)
 def _fonts() -> Any:  # noqa: ANN401 - WeasyPrint ships no types
-    from weasyprint.text.fonts import FontConfiguration
+    with libraries_by_full_name():
+        from weasyprint.text.fonts import FontConfiguration
 
     # Without any font Pango does not say so: it takes the whole process down.
     if not any(fonts_used(FONT_PACKAGES).values()):
