@@ -4,8 +4,8 @@ from datetime import UTC, datetime
 from typing import TYPE_CHECKING
 
 import gripcourse as gc
+from gripcourse.batch.graded import Graded
 from gripcourse.batch.one_file import grade_file
-from gripcourse.batch.run import Graded
 from gripcourse.usecases.marks.gradebook import keep, with_kept_versions
 
 if TYPE_CHECKING:

@@ -5,7 +5,7 @@ from dataclasses import replace
 import pytest
 
 from gripcourse.batch import copies as alike
-from gripcourse.batch.copies import mark_likeness
+from gripcourse.batch.copies import like_others
 from gripcourse.batch.one_file import GradingContext
 from gripcourse.documents.report.student import student_values
 from gripcourse.exports.grades import grades_text
@@ -57,12 +57,18 @@ def codes(report: Report) -> set[str]:
     return {flag.code for flag in report.flags} & TELLING
 
 
+def like(reports: list[Report], context: GradingContext) -> tuple[list[Report], str]:
+    """All reports as they are after the comparison, and what failed."""
+    changes, trace = like_others(reports, context)
+    return list((dict(enumerate(reports)) | dict(changes)).values()), trace
+
+
 def test_a_copied_workbook_is_flagged_and_the_honest_ones_are_not(
     other: GradingContext, plan: Plan
 ) -> None:
     reports = [graded(other, plan, name, name) for name in ("s01", "s02", "s03")]
     copied = graded(other, plan, "s04", "s02")
-    marked, trace = mark_likeness([*reports, copied], other)
+    marked, trace = like([*reports, copied], other)
     assert trace == ""
     assert [codes(one) for one in marked[:3]] == [set(), set(), set()]
     assert codes(marked[3]) == {"other_variant", "same_answers"}
@@ -76,7 +82,7 @@ def test_the_instructor_sees_the_flag_and_the_student_nothing(
     copied = graded(other, plan, "s04", "s02", "Petrov")
     copy = graded(other, plan, "s05", "s05", "Petrov")
     rest = graded(other, plan, "s01", "s01")
-    marked, _ = mark_likeness([copied, copy, rest], other)
+    marked, _ = like([copied, copy, rest], other)
     assert codes(marked[0]) >= {"other_variant", "same_creator"}
     assert "other_variant" in grades_text(marked)
     for language in LANGUAGES:
@@ -92,8 +98,8 @@ def test_the_instructor_sees_the_flag_and_the_student_nothing(
 
 def test_files_that_were_not_judged_are_passed_over(other: GradingContext) -> None:
     report = unknown_student_report("x.xlsx", "nobody", "")
-    assert mark_likeness([report], other) == ((report,), "")
-    assert mark_likeness([], other) == ((), "")
+    assert like([report], other) == ([report], "")
+    assert like([], other) == ([], "")
 
 
 def test_grading_is_never_lost_for_a_failure_of_the_search(
@@ -104,6 +110,6 @@ def test_grading_is_never_lost_for_a_failure_of_the_search(
 
     monkeypatch.setattr(alike, "find_evidence", fail)
     report = graded(other, plan, "s01", "s01")
-    marked, trace = mark_likeness([report], other)
-    assert marked == (report,)
+    marked, trace = like([report], other)
+    assert marked == [report]
     assert "ZeroDivisionError" in trace

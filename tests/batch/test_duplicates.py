@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import pytest
 
-from gripcourse.batch.duplicates import mark_doubles
+from gripcourse.batch.duplicates import doubles
 from gripcourse.batch.one_file import GradingContext
 from gripcourse.grading.model import Flag, FlagCode, Report
 from gripcourse.grading.unjudged import rejected_report
@@ -19,7 +19,11 @@ def blank_report(context: GradingContext) -> Report:
 
 def codes(reports: list[Report]) -> list[list[str]]:
     """The flags that were added, by report."""
-    return [[flag.code for flag in one.flags[1:]] for one in mark_doubles(reports)]
+    return [[flag.code for flag in one.flags[1:]] for one in marked(reports)]
+
+
+def marked(reports: list[Report]) -> list[Report]:
+    return list((dict(enumerate(reports)) | dict(doubles(reports))).values())
 
 
 def named(report: Report, file: str, student: str, digest: str) -> Report:
@@ -44,7 +48,7 @@ def test_each_flag_names_the_other_files_and_students(blank_report: Report) -> N
         named(blank_report, "b.xlsx", "s01", "other"),
         named(blank_report, "c.xlsx", "s02", "same"),
     ]
-    flags = [{flag.code: str(flag.message) for flag in one.flags} for one in mark_doubles(reports)]
+    flags = [{flag.code: str(flag.message) for flag in one.flags} for one in marked(reports)]
     assert "b.xlsx" in flags[0]["several_files"]
     assert "a.xlsx" not in flags[0]["several_files"]
     assert "s02" in flags[0]["same_bytes"]
@@ -56,7 +60,7 @@ def test_the_owner_of_a_stolen_file_is_told_as_owner(blank_report: Report) -> No
     stolen = Flag(FlagCode.ISSUED_TO_OTHER, message("Empty."))
     own = named(blank_report, "a.xlsx", "s01", "same")
     thief = replace(named(blank_report, "b.xlsx", "s02", "same"), flags=(stolen,))
-    first, second = mark_doubles([own, thief])
+    first, second = marked([own, thief])
     assert first.flags[-1].code is FlagCode.COPIED_FROM
     assert "s02" in str(first.flags[-1].message)
     assert second.flags[-1].code is FlagCode.SAME_BYTES
@@ -73,4 +77,4 @@ def test_files_of_nobody_and_files_that_could_not_be_read_are_no_doubles(
 def test_flags_that_were_there_stay(blank_report: Report) -> None:
     reports = [named(blank_report, f"{n}.xlsx", "s01", "") for n in range(2)]
     assert isinstance(blank_report.flags[0], Flag)
-    assert all(one.flags[0] == blank_report.flags[0] for one in mark_doubles(reports))
+    assert all(one.flags[0] == blank_report.flags[0] for one in marked(reports))

@@ -6,8 +6,9 @@ from types import ModuleType
 
 import pytest
 
+from gripcourse.batch.graded import Graded
 from gripcourse.batch.one_file import GradingContext
-from gripcourse.batch.run import Graded, grade_files
+from gripcourse.batch.run import grade_files
 
 Inbox = Callable[..., list[Path]]
 

@@ -13,7 +13,7 @@ from openpyxl import load_workbook
 from gripcourse.batch.kept_reports import KeptReports
 from gripcourse.batch.one_file import GradingContext
 from gripcourse.batch.run import grade_files, is_found_out
-from gripcourse.batch.second_look import MadeByOffice, made_by_office, needing
+from gripcourse.batch.second_look import MadeByOffice, made_by_office, needs_second_look
 from gripcourse.course.quantity import Kind
 from gripcourse.grading.model import FlagCode
 from gripcourse.grading.unjudged import rejected_report
@@ -115,8 +115,9 @@ def test_without_the_program_and_for_other_files_nothing_is_made(tmp_path: Path)
     old = rejected_report(Rejected.because("a.xls", "", WhyRefused.OLD_FORMAT), None)
     damaged = rejected_report(Rejected.because("a.xlsx", "", WhyRefused.DAMAGED), None)
     files = {0: tmp_path / "a.xls"}
-    assert needing([old, damaged], recalculate=True) == (0,)
-    assert made_by_office(files, [old, damaged], "true", "ru") == MadeByOffice({}, frozenset())
+    assert needs_second_look(old, recalculate=True)
+    assert not needs_second_look(damaged, recalculate=True)
+    assert made_by_office(files, {0: old}, "true", "ru") == MadeByOffice({}, frozenset())
 
 
 def test_what_libreoffice_gave_up_is_not_tried_again(

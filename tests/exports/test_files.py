@@ -5,7 +5,7 @@ import io
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from gripcourse.exports.files import Fate, files_text, graded_account
+from gripcourse.exports.files import Fate, files_lines, graded_account
 from gripcourse.grading.unjudged import disputed_report, rejected_report
 from gripcourse.machine.spreadsheet.refusals import WhyRefused
 from gripcourse.submission.model import Rejected
@@ -34,7 +34,7 @@ def test_a_graded_file_has_no_reason(perfect: "Report") -> None:
 
 def test_nothing_in_the_table_runs_and_each_reason_is_a_sentence() -> None:
     report = rejected_report(Rejected.because("=1+1.xlsx", "d", WhyRefused.PDF), None)
-    text = files_text([graded_account(report)], Words("en"))
+    text = "".join(files_lines([graded_account(report)], Words("en")))
     (row,) = csv.DictReader(io.StringIO(text, newline=""))
     assert row["file"] == "'=1+1.xlsx"
     assert row["message"] == "The file is a PDF document. Send the .xlsx workbook itself."

@@ -15,13 +15,14 @@ from gripcourse.gradebook.results import RESULTS
 from gripcourse.grading.folded import (
     Derivation,
     Folded,
-    Shelf,
+    ReportShelf,
     derived,
     digest_of_report,
     folded,
 )
 from gripcourse.grading.model import Report
 from gripcourse.likeness.works import TYPED
+from gripcourse.machine.shelf import Shelf
 from gripcourse.policy.model import Policy
 from gripcourse.simulation.cohort import make_classroom
 from gripcourse.simulation.in_memory import judge_one
@@ -42,6 +43,12 @@ def report(room: Classroom) -> Report:
     return judge_one(next(iter(room.behaviours)), room).report
 
 
+def put(report: Report) -> Report:
+    """The same from a shelf."""
+    shelf = ReportShelf()
+    return shelf.unpacked(shelf.packed(report))
+
+
 def test_nothing_is_lost_and_little_is_kept(report: Report) -> None:
     small = folded(report)
     assert isinstance(small.findings, Folded)
@@ -52,46 +59,29 @@ def test_nothing_is_lost_and_little_is_kept(report: Report) -> None:
     assert folded(small) is small
     assert pickle.loads(pickle.dumps(small)) == report  # noqa: S301 (ours)
     assert len(small.findings.packed) < 10_000
-    shelf = Shelf()
-    held = [shelf.put(one) for one in (small, report, replace(small, file="another"))]
+    shelf = ReportShelf()
+    asked = (small, report, replace(small, file="another"))
+    held = [shelf.unpacked(shelf.packed(one)) for one in asked]
     assert held == [small, small, replace(small, file="another")]
     assert {digest_of_report(one) for one in held[:2]} == {digest_of_report(small)}
     assert digest_of_report(held[2]) != digest_of_report(small)
-    assert shelf.put(held[0]) == held[0]
+    # It lies there already: only what is beside the findings is put there once more.
+    assert shelf.packed(held[0]) == shelf.packed(held[0])
     assert pickle.loads(pickle.dumps(held)) == held  # noqa: S301 (ours)
     assert len(pickle.dumps(held[0])) == len(pickle.dumps(small))
 
 
-def test_what_was_issued_is_held_once_for_the_register_and_the_report(
-    report: Report, room: Classroom
-) -> None:
-    sent = pickle.loads(pickle.dumps(folded(report)))  # noqa: S301 (ours)
-    held = Shelf(register=room.context.register).put(sent)
-    issued = room.context.register[report.student]
-    assert held == report
-    assert held.student is issued.student.id
-    assert held.name is issued.student.name
-    assert held.variant is issued.variant.id
-    assert held.options is issued.variant.options
-
-
-def test_what_a_report_says_otherwise_than_the_register_stays(
-    report: Report, room: Classroom
-) -> None:
-    another = replace(report, name="Another", variant="another", options={"a": "b"})
-    assert Shelf(register=room.context.register).put(another) == another
-
-
 def test_without_room_for_a_file_findings_stay_in_memory(report: Report) -> None:
     with Path("/dev/full").open("r+b", buffering=0) as full:
-        assert [Shelf(file).put(report) for file in (None, full)] == [report, report]
+        shelves = [ReportShelf(Shelf(file)) for file in (None, full)]
+        assert [one.unpacked(one.packed(report)) for one in shelves] == [report, report]
 
 
 def test_what_will_be_wanted_of_findings_lies_beside_them(report: Report) -> None:
     asked: list[int] = []
     counted = Derivation("counted", lambda found: asked.append(len(found)) or f"{len(found)} found")
     small = folded(report, [counted])
-    on_shelf = Shelf().put(small)
+    on_shelf = put(small)
     travelled = pickle.loads(pickle.dumps(on_shelf))  # noqa: S301 (ours)
     for one in (small, on_shelf, travelled):
         assert one == report
@@ -103,8 +93,7 @@ def test_what_will_be_wanted_of_findings_lies_beside_them(report: Report) -> Non
 
 def test_whatever_a_batch_asks_of_findings_is_the_same_whoever_derived_it(report: Report) -> None:
     wanted: tuple[Derivation[object], ...] = (RESULTS, TYPED, FOUND)
-    small = Shelf().put(folded(report, wanted))
-    plain = Shelf().put(folded(report))
+    small, plain = put(folded(report, wanted)), put(folded(report))
     for one in wanted:
         assert derived(small.findings, one) == derived(report.findings, one)
         assert derived(plain.findings, one) == derived(report.findings, one)
@@ -113,7 +102,7 @@ def test_whatever_a_batch_asks_of_findings_is_the_same_whoever_derived_it(report
 def test_a_report_is_the_same_line_of_json_whoever_said_its_findings(
     report: Report, course: Course, policy: Policy
 ) -> None:
-    small = Shelf().put(folded(report, [said_in(course.language)]))
+    small = put(folded(report, [said_in(course.language)]))
     for language in LANGUAGES:
         words = Words(language)
         line = report_json(small, words, policy.scales)

@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING, Final
 import pytest
 from sqlalchemy import Connection, Engine, Table, event
 
+from gripcourse.batch.graded import Graded
 from gripcourse.batch.one_file import grade_file
-from gripcourse.batch.run import Graded
 from gripcourse.cli.demo.students import correct
 from gripcourse.errors import GradebookError
 from gripcourse.gradebook import store

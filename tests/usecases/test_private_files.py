@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING
 import pytest
 from openpyxl import load_workbook
 
-from gripcourse.batch.run import Graded
+from gripcourse.batch.graded import Graded
 from gripcourse.exports.make_report_result import grades_result
 from gripcourse.exports.platforms.works import works_of
 from gripcourse.gradebook.checks import CheckLedger, take_one

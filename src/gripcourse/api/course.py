@@ -315,6 +315,7 @@ class Course:
             GripcourseError: a path does not exist, or the register or gradebook cannot be used. The
                 faults of a submission are in its report.
         """
+        from gripcourse.batch.graded import reports_of
         from gripcourse.usecases.grading.batch_tables import batch_result
         from gripcourse.usecases.grading.grade import grade, write_results
         from gripcourse.usecases.marks.batch_wish import BatchWish
@@ -336,7 +337,7 @@ class Course:
         graded = grade(sources, context, workers, on_done)
         if place is not None:
             graded = keep(graded, context, place, datetime.now(UTC), times)
-        reports = tuple(one.report for one in graded)
+        reports = reports_of(graded)
         if folder is not None:
             reports = write_results(
                 graded, context, folder, day, workers, nothing, passed_over=others

@@ -1,27 +1,31 @@
 """Whose answers are these: flags on the submissions of a batch whose numbers are another's."""
 
 import traceback
-from collections.abc import Callable, Sequence
+from array import array
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass
 
 from gripcourse.batch.duplicates import with_flags
+from gripcourse.batch.graded import Changes, changed_where
 from gripcourse.batch.kept_reports import FlagsOf, KeptReports
 from gripcourse.batch.one_file import GradingContext
 from gripcourse.grading.made_for import versions_of
 from gripcourse.grading.model import Report
 from gripcourse.likeness.evidence import find_evidence
 from gripcourse.likeness.flags import flags_by_student
-from gripcourse.likeness.issued import issued_values
+from gripcourse.likeness.issued import issued_values, solved_anew
 from gripcourse.likeness.model import Evidence
 from gripcourse.likeness.works import work_of
+from gripcourse.machine.shelf import Viewed
 from gripcourse.solver.plan import make_plan
 from gripcourse.text.words import Texts
-from gripcourse.variants.model import Issued
+from gripcourse.variants.model import Issued, Variant
 from gripcourse.workbook.names import AUTHOR
 
 
-def mark_likeness(
+def like_others(
     reports: Sequence[Report], context: GradingContext, kept: KeptReports | None = None
-) -> tuple[tuple[Report, ...], str]:
+) -> tuple[Changes, str]:
     """Flag the submissions that hold another student's numbers.
 
     Args:
@@ -30,8 +34,8 @@ def mark_likeness(
         kept: what an earlier run found out; None for nothing.
 
     Returns:
-        The reports in their order, and the trace of what failed on our side (empty for nothing):
-        grading is never lost for it.
+        The flagged reports, and the trace of what failed on our side (empty for nothing): grading
+        is never lost for it.
     """
 
     def find() -> FlagsOf:
@@ -40,12 +44,16 @@ def mark_likeness(
     try:
         flags = find() if kept is None else kept.flags_of(reports, find)
     except Exception:  # noqa: BLE001 (ours: the marks stand without this evidence)
-        return tuple(reports), f"looking for likeness:\n{traceback.format_exc()}"
-    marked = (
-        with_flags(report, flags.get(report.student, ())) if report.judged else report
-        for report in reports
-    )
-    return tuple(marked), ""
+        return (), f"looking for likeness:\n{traceback.format_exc()}"
+    return (changed_where(reports, _flagged(flags)) if flags else ()), ""
+
+
+def _flagged(flags: FlagsOf) -> Callable[[Report], Report]:
+    def flagged(report: Report) -> Report:
+        mine = flags.get(report.student, ())
+        return with_flags(report, mine) if report.judged else report
+
+    return flagged
 
 
 def evidence_of(
@@ -58,24 +66,59 @@ def evidence_of(
         context: the course, its policy, the register.
         kept: what an earlier run found out; None for nothing.
     """
-    judged = [one for one in reports if one.judged and one.student in context.register]
-    if not judged:
+    judged = _Judged.of(reports, context)
+    if not judged.places:
         return ()
-    # Whoever worked on an earlier version has the numbers of that one.
-    issued = {**context.register, **{one.student: _made_for(one, context) for one in judged}}
-    works = (work_of(report, _made_for(report, context), AUTHOR) for report in judged)
-    by_owner = {one.student: context.declared.get(one.declarations) for one in judged}
-    declared = {owner: course for owner, course in by_owner.items() if course is not None}
+    works = (
+        work_of(report, judged.issued_to(report.student, context), AUTHOR)
+        for report in (reports[place] for place in judged.places)
+    )
 
-    variants = [(student, entry.variant) for student, entry in issued.items()]
-    if kept is None:
-        values = issued_values(context.course, variants, declared)
-    else:
-        versions = [(student, one.version) for student, one in issued.items()]
-        by = [(one.student, one.declarations) for one in judged if one.student in declared]
-        kept_tables = kept.issued_values(repr((versions, by)))
-        values = issued_values(context.course, variants, declared, kept_tables)
+    def variant(student: str) -> tuple[str, Variant]:
+        return student, judged.issued_to(student, context).variant
+
+    variants = Viewed(tuple(context.register), variant)
+    about = repr((sorted(judged.made_for.items()), sorted(judged.by.items())))
+    declared = {owner: context.declared[name] for owner, name in judged.by.items()}
+    tables = solved_anew if kept is None else kept.issued_values(about)
+    values = issued_values(context.course, variants, declared, tables)
     return find_evidence(works, values, context.policy.likeness)
+
+
+@dataclass(frozen=True, slots=True)
+class _Judged:
+    """Which works of a batch are compared.
+
+    Attributes:
+        places: of their reports.
+        made_for: by student, the version that a work was made for, where there are several.
+        by: by student, the fingerprint of the declarations that a work was judged by, where these
+            are not today's.
+    """
+
+    places: "array[int]"
+    made_for: Mapping[str, int]
+    by: Mapping[str, str]
+
+    @classmethod
+    def of(cls, reports: Iterable[Report], context: GradingContext) -> "_Judged":
+        """Look through a batch."""
+        places, made_for, by = array("q"), dict[str, int](), dict[str, str]()
+        for place, report in enumerate(reports):
+            if report.judged and report.student in context.register:
+                places.append(place)
+                by.pop(report.student, None)
+                if report.declarations in context.declared:
+                    by[report.student] = report.declarations
+                if report.student in context.earlier:
+                    made_for[report.student] = report.made_for
+        return cls(places, made_for, by)
+
+    def issued_to(self, student: str, context: GradingContext) -> Issued:
+        """Return what a work was made for: whoever had an earlier version has its numbers."""
+        versions = versions_of(student, context.register, context.earlier)
+        wanted = self.made_for.get(student)
+        return next((one for one in versions if one.version == wanted), versions[-1])
 
 
 def _titles(context: GradingContext) -> Callable[[str, str], Texts | str]:
@@ -87,8 +130,3 @@ def _titles(context: GradingContext) -> Callable[[str, str], Texts | str]:
         return quantities[name].title if name in quantities else name
 
     return title
-
-
-def _made_for(report: Report, context: GradingContext) -> Issued:
-    versions = versions_of(report.student, context.register, context.earlier)
-    return next((one for one in versions if one.version == report.made_for), versions[-1])

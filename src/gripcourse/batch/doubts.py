@@ -3,29 +3,39 @@
 from collections.abc import Sequence
 from dataclasses import replace
 
+from gripcourse.batch.graded import Changes, changed_where
 from gripcourse.grading.known_by import KnownBy
 from gripcourse.grading.model import Report
 from gripcourse.grading.unjudged import disputed_report
 from gripcourse.text.words import message
 
 
-def put_in_doubt(reports: Sequence[Report]) -> tuple[Report, ...]:
+def in_doubt(reports: Sequence[Report]) -> Changes:
     """Judge no workbook by the name of its file where its student handed in a signed one.
 
     Anybody can give a file a name. Where it is all that there is, it counts and the missing
     signature is flagged; beside a student's own signed workbook it changes nothing.
     """
+    named = {one.student for one in reports if _is_known_by(one, KnownBy.FILE_NAME)}
+    if not named:
+        return ()
     signed = {
-        report.student: report.file
-        for report in reports
-        if report.judged and report.known_by is KnownBy.SIGNATURE
+        one.student: one.file
+        for one in reports
+        if _is_known_by(one, KnownBy.SIGNATURE) and one.student in named
     }
-    return tuple(
-        _disputed(report, signed[report.student])
-        if report.judged and report.known_by is KnownBy.FILE_NAME and report.student in signed
-        else report
-        for report in reports
+    return changed_where(
+        reports,
+        lambda one: (
+            _disputed(one, signed[one.student])
+            if _is_known_by(one, KnownBy.FILE_NAME) and one.student in signed
+            else one
+        ),
     )
+
+
+def _is_known_by(report: Report, known_by: KnownBy) -> bool:
+    return report.judged and report.known_by is known_by
 
 
 def _disputed(report: Report, signed: str) -> Report:

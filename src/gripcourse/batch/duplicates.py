@@ -1,23 +1,55 @@
 """Files of one batch that belong together: several of one student, one of several students."""
 
+from array import array
 from collections import defaultdict
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
+from typing import TypeAlias
 
+import numpy as np
+
+from gripcourse.batch.graded import Changes
 from gripcourse.grading.model import Flag, FlagCode, Report
 from gripcourse.text.words import message
 
+_Numbered: TypeAlias = tuple[int, Report]
+_Groups: TypeAlias = Mapping[str, Sequence[_Numbered]]
 
-def mark_doubles(reports: Sequence[Report]) -> tuple[Report, ...]:
+
+def doubles(reports: Sequence[Report]) -> Changes:
     """Flag several files of one student, and equal bytes from several students."""
-    by_student: dict[str, list[Report]] = defaultdict(list)
-    by_digest: dict[str, list[Report]] = defaultdict(list)
+    said = [array("q"), array("q")]
     for report in reports:
-        if report.student:
-            by_student[report.student].append(report)
-        if report.student and report.digest:
-            by_digest[report.digest].append(report)
-    return tuple(with_flags(one, _flags(one, by_student, by_digest)) for one in reports)
+        said[0].append(hash(report.student))
+        said[1].append(hash(report.digest))
+    # Of a large batch nearly all are alone: only what may belong together is looked at.
+    together = sorted({number for hashes in said for number in _repeated(hashes)})
+    found = [(number, reports[number]) for number in together]
+    by_student, by_digest = _grouped(found)
+    for number, report in found:
+        flags = tuple(_flags(number, report, by_student, by_digest))
+        if flags:
+            yield number, with_flags(report, flags)
+
+
+def _repeated(hashes: "array[int]") -> Iterator[int]:
+    """Yield the places of what is there more than once."""
+    _, kind, count = np.unique(
+        np.frombuffer(hashes, np.int64), return_inverse=True, return_counts=True
+    )
+    yield from np.flatnonzero(count[kind] > 1).tolist()
+
+
+def _grouped(found: Iterable[_Numbered]) -> tuple[_Groups, _Groups]:
+    """Group files by their students, and those of students by their bytes."""
+    by_student: dict[str, list[_Numbered]] = defaultdict(list)
+    by_digest: dict[str, list[_Numbered]] = defaultdict(list)
+    for one in found:
+        if one[1].student:
+            by_student[one[1].student].append(one)
+            if one[1].digest:
+                by_digest[one[1].digest].append(one)
+    return by_student, by_digest
 
 
 def with_flags(report: Report, flags: Iterable[Flag]) -> Report:
@@ -26,22 +58,19 @@ def with_flags(report: Report, flags: Iterable[Flag]) -> Report:
     return replace(report, flags=(*report.flags, *more)) if more else report
 
 
-def _flags(
-    report: Report,
-    by_student: Mapping[str, Sequence[Report]],
-    by_digest: Mapping[str, Sequence[Report]],
-) -> Iterator[Flag]:
-    files = [one.file for one in by_student.get(report.student, ()) if one is not report]
+def _flags(number: int, report: Report, by_student: _Groups, by_digest: _Groups) -> Iterator[Flag]:
+    mine = by_student.get(report.student, ())
+    files = [one.file for place, one in mine if place != number]
     if files:
         yield Flag(
             FlagCode.SEVERAL_FILES,
             message("The student handed in more files: {files}.", files=", ".join(files)),
         )
-    others = (one.student for one in by_digest.get(report.digest, ()))
-    students = dict.fromkeys(one for one in others if one != report.student)
+    same = [one for _, one in by_digest.get(report.digest, ())]
+    alike = [one for one in same if one.student != report.student]
+    students = dict.fromkeys(one.student for one in alike)
     if not students:
         return
-    alike = [one for one in by_digest.get(report.digest, ()) if one.student != report.student]
     if not _is_anothers(report) and all(map(_is_anothers, alike)):
         yield Flag(
             FlagCode.COPIED_FROM,

@@ -1,13 +1,13 @@
 """What single files came to, kept as it comes: a batch that was stopped goes on where it was."""
 
 import hashlib
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, TypeAlias, TypeVar
 
-from gripcourse.grading.folded import Shelf, digest_of_report
+from gripcourse.grading.folded import digest_of_report
 from gripcourse.grading.model import Flag, Report
 from gripcourse.likeness.cells import SparseTable
 from gripcourse.likeness.issued import KeptTable
@@ -37,18 +37,15 @@ class KeptReports:
     whose: Mapping[str, str]
     written: list[RecordsFile] = field(default_factory=list)
 
-    def of(self, files: Sequence[Readable], shelf: Shelf) -> dict[int, Report]:
-        """Return what is known of files, by their places: the same bytes under the same name.
-
-        Args:
-            files: of a batch.
-            shelf: takes what is held of each.
-        """
+    def of(self, files: Sequence[Readable]) -> Iterator[tuple[int, Report]]:
+        """Yield what is known of files, with their places: the same bytes under the same name."""
         if not self.folder.is_dir():
-            return {}
+            return
         with kept_records(self.folder) as find:
-            found = ((number, self._known(file, find)) for number, file in enumerate(files))
-            return {number: shelf.put(report) for number, report in found if report is not None}
+            for number, file in enumerate(files):
+                report = self._known(file, find)
+                if report is not None:
+                    yield number, report
 
     def keep(self, file: Readable, report: Report) -> None:
         """Keep the report of a file under the digest of the bytes that it was made from.
@@ -67,23 +64,24 @@ class KeptReports:
             reports: all that are compared, as they are before it.
             find: compares them, where an earlier run did not compare just these.
         """
-        return self._last(_COMPARED, "\n".join(map(digest_of_report, reports)), find)
+        return self._last(_COMPARED, map(digest_of_report, reports), find)
 
     def issued_values(self, about: str) -> KeptTable:
         """Return what returns the right values of what was issued; the last ones are kept.
 
         Args:
-            about: which versions they are of, and by which declarations.
+            about: of which versions they are and by which declarations, where these are not the
+                last ones of the register that the folder is named after.
         """
 
         def table(number: int, solve: Callable[[], SparseTable]) -> SparseTable:
-            return self._last(_ISSUED.format(number=number), about, solve)
+            return self._last(_ISSUED.format(number=number), (about,), solve)
 
         return table
 
-    def _last(self, name: str, about: str, find: Callable[[], _Found]) -> _Found:
+    def _last(self, name: str, about: Iterable[str], find: Callable[[], _Found]) -> _Found:
         """Return what was found last, if it was about just the same; else it is found, and kept."""
-        key, path = hashlib.sha256(about.encode()).hexdigest(), self.folder / name
+        key, path = _digest_of(about), self.folder / name
         kept = read_value(path)
         if isinstance(kept, _Last) and kept.key == key:
             known: _Found = kept.found
@@ -102,6 +100,13 @@ class KeptReports:
     def _key(self, file: Readable, digest: str) -> bytes:
         name = shown_name(file)
         return hashlib.sha256(repr((name, digest, self.whose.get(name))).encode()).digest()
+
+
+def _digest_of(lines: Iterable[str]) -> str:
+    digest = hashlib.sha256()
+    for line in lines:
+        digest.update(f"{line}\n".encode())
+    return digest.hexdigest()
 
 
 @dataclass(frozen=True, slots=True)

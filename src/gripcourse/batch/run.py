@@ -2,23 +2,26 @@
 
 import hashlib
 import logging
-from collections.abc import Callable, Iterable, Iterator, Sequence
-from dataclasses import dataclass, replace
+from array import array
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, field, replace
 from typing import Any, TypeAlias
 
-from gripcourse.batch.copies import mark_likeness
-from gripcourse.batch.doubts import put_in_doubt
-from gripcourse.batch.duplicates import mark_doubles
+from gripcourse.batch.copies import like_others
+from gripcourse.batch.doubts import in_doubt
+from gripcourse.batch.duplicates import doubles
+from gripcourse.batch.graded import Graded, on_a_shelf, reports_of, with_reports
 from gripcourse.batch.kept_reports import KeptReports
 from gripcourse.batch.one_file import GradingContext, grade_file, handed_in_by
-from gripcourse.batch.second_look import made_by_office, needing, needs_second_look
-from gripcourse.grading.folded import Derivation, Shelf, folded
+from gripcourse.batch.second_look import made_by_office, needs_second_look
+from gripcourse.grading.folded import Derivation, folded
 from gripcourse.grading.model import Report
 from gripcourse.grading.recalculated import not_recalculated_flag
 from gripcourse.grading.unjudged import incident_report
 from gripcourse.machine.content import NamedBytes, Readable, in_memory, shown_name
 from gripcourse.machine.jobs.pools import PROCESSES, Pool
 from gripcourse.machine.jobs.workers import Lost, in_order, run_each
+from gripcourse.machine.shelf import Viewed
 from gripcourse.machine.spreadsheet.preflight import LARGEST_FILE
 from gripcourse.machine.spreadsheet.refusals import OF_THE_MACHINE
 from gripcourse.text.shown import shown
@@ -35,21 +38,6 @@ _TOGETHER = 8
 
 GradeOne: TypeAlias = Callable[[Readable, GradingContext], Report]
 """Grades one file; it must be found by its name in another process."""
-
-
-@dataclass(frozen=True, slots=True)
-class Graded:
-    """What a file came to.
-
-    Attributes:
-        report: of the file.
-        incident: the trace of what failed on our side; empty for nothing.
-        taken_over: whether the report was found out by an earlier run.
-    """
-
-    report: Report
-    incident: str
-    taken_over: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -72,10 +60,11 @@ def grade_files(  # noqa: PLR0913 (the last ones are what everybody leaves as th
     kept: KeptReports | None = None,
     pool: Pool = PROCESSES,
     wanted: Sequence[Derivation[Any]] = (),
-) -> tuple[Graded, ...]:
+) -> Sequence[Graded]:
     """Grade files in parallel; the result is in the order of the files.
 
-    Files are compared with each other each time anew, whatever is known of each.
+    Files are compared with each other each time anew, whatever is known of each. Of a batch of any
+    size few reports are in memory at a time.
 
     Args:
         files: to grade; bytes with their names are files too.
@@ -89,72 +78,91 @@ def grade_files(  # noqa: PLR0913 (the last ones are what everybody leaves as th
         pool: kind of workers.
         wanted: what will be asked of the findings of each, derived where they are made.
     """
-    shelf = Shelf(register=context.register)
-    known = {} if kept is None else kept.of(files, shelf)
-    for number in known:
-        on_done(files[number])
-    left = [number for number in range(len(files)) if number not in known]
     job = _Job(context, grade_one, tuple(wanted))
-    new = _alone([files[number] for number in left], job, workers, on_done,
-                 seconds, kept, pool, shelf)  # fmt: skip
-    reports = {**known, **dict(zip(left, new, strict=True))}
-    graded = (
-        _graded(file, reports[number], context, taken_over=number in known)
-        for number, file in enumerate(files)
-    )
-    return compared(tuple(graded), context, kept)
-
-
-def _alone(  # noqa: PLR0913, PLR0917 (called once)
-    files: Sequence[Readable],
-    job: _Job,
-    workers: int,
-    on_done: Callable[[Readable], None],
-    seconds: float,
-    kept: KeptReports | None,
-    pool: Pool,
-    shelf: Shelf,
-) -> Sequence[Report | Lost]:
-    """Grade files, each for itself, and keep each report as soon as nothing is left to find out."""
-
-    def done(number: int) -> None:
-        _log.info("graded %s", shown(shown_name(files[number])))
-        on_done(files[number])
-
-    jobs = run_each(
-        _grade, files, job, workers=workers, seconds=seconds, pool=pool, send=_in_memory,
-        together=_TOGETHER,
-    )  # fmt: skip
-    keeping = _Remembering(job.context, workers, kept, shelf)
-    alone = in_order(_kept(jobs, files, keeping), done)
-    reports = _looked_at_again(files, alone, job.context, workers, seconds, pool)
-    pairs = enumerate(reports)
-    again = ((number, report) for number, report in pairs if report is not alone[number])
-    held = dict(_kept(again, files, keeping))
-    return [held.get(number, report) for number, report in enumerate(reports)]
+    grading = _Grading(files, job, workers, seconds, pool, kept, on_done)
+    alone = on_a_shelf().filled(len(files), grading.each())
+    return compared(alone.with_changes(grading.again(alone)), context, kept)
 
 
 @dataclass(frozen=True, slots=True)
-class _Remembering:
-    """What decides over what is kept of a report, and where; see `grade_files`."""
+class _Grading:
+    """Grading single files of a batch, each for itself; see `grade_files`.
 
-    context: GradingContext
+    Attributes:
+        open: places of the files that LibreOffice could make more of.
+    """
+
+    files: Sequence[Readable]
+    job: _Job
     workers: int
+    seconds: float
+    pool: Pool
     kept: KeptReports | None
-    shelf: Shelf
+    on_done: Callable[[Readable], None]
+    open: "array[int]" = field(default_factory=lambda: array("q"))
 
+    def each(self) -> Iterator[tuple[int, Graded]]:
+        """Yield what each file comes to, in any order: first what an earlier run found out."""
+        is_known = bytearray(len(self.files))
+        known = () if self.kept is None else self.kept.of(self.files)
+        for number, before in known:
+            is_known[number] = True
+            yield number, self._graded(number, before, taken_over=True)
+            self.on_done(self.files[number])
+        left = array("q", (number for number, one in enumerate(is_known) if not one))
+        jobs = run_each(
+            _grade, Viewed(left, self.files.__getitem__), self.job, workers=self.workers,
+            seconds=self.seconds, pool=self.pool, send=_in_memory, together=_TOGETHER,
+        )  # fmt: skip
+        for place, report in jobs:
+            number = left[place]
+            if isinstance(report, Report) and self._can_look_again(report):
+                self.open.append(number)
+            yield number, self._found(number, report)
+            _log.info("graded %s", shown(shown_name(self.files[number])))
+            self.on_done(self.files[number])
 
-def _kept(
-    jobs: Iterable[tuple[int, Report | Lost]], files: Sequence[Readable], keeping: _Remembering
-) -> Iterator[tuple[int, Report | Lost]]:
-    """Keep what was found out of files; what failed or needs a second look is tried again."""
-    for number, report in jobs:
-        if isinstance(report, Lost):
-            yield number, report
-            continue
-        if keeping.kept is not None and is_found_out(report, keeping.context, keeping.workers):
-            keeping.kept.keep(files[number], report)
-        yield number, keeping.shelf.put(report)
+    def again(self, alone: Sequence[Graded]) -> Iterator[tuple[int, Graded]]:
+        """Grade those files again of which LibreOffice could make more."""
+        context, numbers = self.job.context, sorted(self.open)
+        for start in range(0, len(numbers), _OF_OFFICE):
+            portion = {number: self.files[number] for number in numbers[start : start + _OF_OFFICE]}
+            first = {number: alone[number].report for number in portion}
+            made = made_by_office(portion, first, context.office or "", context.course.language)
+            pairs = [(portion[number], data) for number, data in made.workbooks.items()]
+            jobs = run_each(
+                _grade_again,
+                pairs,
+                context,
+                workers=min(self.workers, len(pairs)),
+                seconds=self.seconds,
+                pool=self.pool,
+                send=_pair_in_memory,
+            )
+            found = dict(zip(made.workbooks, in_order(jobs), strict=True))
+            for number, before in first.items():
+                second = _second(before, found.get(number), unopened=number in made.unopened)
+                if second is not before:
+                    yield number, self._found(number, second)
+
+    def _can_look_again(self, report: Report) -> bool:
+        """Tell whether LibreOffice could make more of a file; nothing can without workers."""
+        context = self.job.context
+        asked = context.office is not None and self.workers > 0
+        return asked and needs_second_look(report, recalculate=context.recalculate)
+
+    def _found(self, number: int, report: Report | Lost) -> Graded:
+        """Keep what was found out of a file; what failed or needs a second look is tried again."""
+        if (
+            self.kept is not None
+            and isinstance(report, Report)
+            and is_found_out(report, self.job.context, self.workers)
+        ):
+            self.kept.keep(self.files[number], report)
+        return self._graded(number, report, taken_over=False)
+
+    def _graded(self, number: int, report: Report | Lost, *, taken_over: bool) -> Graded:
+        return _graded(self.files[number], report, self.job.context, taken_over=taken_over)
 
 
 def is_found_out(report: Report, context: GradingContext, workers: int) -> bool:
@@ -182,52 +190,14 @@ def _pair_in_memory(pair: tuple[Readable, bytes]) -> tuple[Readable, bytes]:
     return _in_memory(pair[0]), pair[1]
 
 
-def _looked_at_again(
-    files: Sequence[Readable],
-    reports: Sequence[Report | Lost],
-    context: GradingContext,
-    workers: int,
-    seconds: float,
-    pool: Pool,
-) -> Sequence[Report | Lost]:
-    """Grade those files again of which LibreOffice could make more; none without workers."""
-    if context.office is None or not workers:
-        return reports
-    numbers = needing(reports, recalculate=context.recalculate)
-    again: dict[int, Report | Lost] = {}
-    unopened: set[int] = set()
-    for start in range(0, len(numbers), _OF_OFFICE):
-        portion = {number: files[number] for number in numbers[start : start + _OF_OFFICE]}
-        made = made_by_office(portion, reports, context.office, context.course.language)
-        unopened |= made.unopened
-        pairs = [(portion[number], data) for number, data in made.workbooks.items()]
-        jobs = run_each(
-            _grade_again,
-            pairs,
-            context,
-            workers=min(workers, len(pairs)),
-            seconds=seconds,
-            pool=pool,
-            send=_pair_in_memory,
-        )
-        again |= zip(made.workbooks, in_order(jobs), strict=True)
-    needed = set(numbers)
-    return [
-        _second(report, again.get(number), unopened=number in unopened)
-        if number in needed
-        else report
-        for number, report in enumerate(reports)
-    ]
-
-
-def _second(first: Report | Lost, again: Report | Lost | None, *, unopened: bool) -> Report | Lost:
+def _second(first: Report, again: Report | Lost | None, *, unopened: bool) -> Report:
     """Choose the second report of a file, if it has one; note where LibreOffice gave it up.
 
     What LibreOffice made may be more than a worker can read: that is no fault of the first reading,
     but somebody may have wanted it so.
     """
-    if isinstance(again, Report) or not isinstance(first, Report):
-        return first if again is None else again
+    if isinstance(again, Report):
+        return again
     if unopened:
         first = replace(first, unopened=True)
     if first.unverified:
@@ -237,24 +207,21 @@ def _second(first: Report | Lost, again: Report | Lost | None, *, unopened: bool
 
 def compared(
     graded: Sequence[Graded], context: GradingContext, kept: KeptReports | None = None
-) -> tuple[Graded, ...]:
+) -> Sequence[Graded]:
     """Flag the files of a batch that belong together or hold another student's numbers.
 
     Before that, whoever only took a student's name beside the student's own work is nobody.
 
     What fails on our side while they are compared stands with the first file.
     """
-    reports, trace = mark_likeness(
-        mark_doubles(put_in_doubt([one.report for one in graded])), context, kept
-    )
-    incidents = [one.incident for one in graded]
-    incidents[:1] = [one + trace for one in incidents[:1]]
-    return tuple(
-        one
-        if one.report is report and one.incident == incident
-        else replace(one, report=report, incident=incident)
-        for one, report, incident in zip(graded, reports, incidents, strict=True)
-    )
+    graded = with_reports(graded, in_doubt(reports_of(graded)))
+    graded = with_reports(graded, doubles(reports_of(graded)))
+    likeness, trace = like_others(reports_of(graded), context, kept)
+    graded = with_reports(graded, likeness)
+    if not trace or not graded:
+        return graded
+    first = graded[0]
+    return graded.with_changes([(0, replace(first, incident=first.incident + trace))])
 
 
 def incident_number(trace: str) -> str:

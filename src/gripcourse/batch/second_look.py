@@ -1,12 +1,11 @@
 """Files that our reader alone cannot judge, through LibreOffice in one call for many of them."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Final
 
 from gripcourse.grading.model import Report
 from gripcourse.machine.content import Readable, content_of
-from gripcourse.machine.jobs.lost import Lost
 from gripcourse.machine.office import converted
 from gripcourse.submission.second import OTHER_FORMATS
 
@@ -38,18 +37,9 @@ def needs_second_look(report: Report, *, recalculate: bool) -> bool:
     return not report.unopened and (without or (recalculate and report.unverified))
 
 
-def needing(reports: Sequence[Report | Lost], *, recalculate: bool) -> tuple[int, ...]:
-    """Return the places of the files that LibreOffice is to open; see `needs_second_look`."""
-    return tuple(
-        number
-        for number, report in enumerate(reports)
-        if isinstance(report, Report) and needs_second_look(report, recalculate=recalculate)
-    )
-
-
 def made_by_office(
     files: Mapping[int, Readable],
-    reports: Sequence[Report | Lost],
+    reports: Mapping[int, Report],
     office: str,
     language: str,
 ) -> MadeByOffice:
@@ -57,7 +47,7 @@ def made_by_office(
 
     Args:
         files: that need it, by their places in the batch.
-        reports: of every file of the batch, as our reader alone sees it.
+        reports: of these files, as our reader alone sees them.
         office: the command that starts LibreOffice.
         language: of the course.
     """
@@ -79,8 +69,8 @@ def _place(name: str) -> int:
     return int(name.partition(".")[0])
 
 
-def _suffix(report: Report | Lost) -> str:
-    return OTHER_FORMATS.get(report.refusal, _WORKBOOK) if isinstance(report, Report) else _WORKBOOK
+def _suffix(report: Report) -> str:
+    return OTHER_FORMATS.get(report.refusal, _WORKBOOK)
 
 
 def _content(source: Readable) -> bytes | None:

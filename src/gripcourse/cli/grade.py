@@ -207,7 +207,7 @@ def _grade_anew(begun: "Beginning", order: _Order, manner: _Manner) -> bool:
     _say(said)
     if earlier is not None and command.is_settled(graded, context, out, hands):
         again = _said(text, command.taken_over_next_time(outcome), context.course.id, out, words)
-        begun.keep(again, [one.report.digest for one in graded], now)
+        begun.keep(again, (one.report.digest for one in graded), now)
     return outcome.needs_person
 
 

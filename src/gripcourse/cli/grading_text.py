@@ -1,5 +1,6 @@
 """What the commands print that grade, mark and show what came of it."""
 
+from array import array
 from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
@@ -8,6 +9,7 @@ from typing import TYPE_CHECKING
 from gripcourse.cli import times_text
 from gripcourse.cli.table_layout import table_text
 from gripcourse.grading.flag_code import FlagCode
+from gripcourse.machine.shelf import Shelved
 from gripcourse.text.shown import one_line
 from gripcourse.text.words import Words, counted, message
 
@@ -81,16 +83,23 @@ def batch_text(outcome: "GradingOutcome", out: Path, words: Words) -> str:
     from gripcourse.usecases.grading.grade import INCIDENTS, REPORTS
 
     called = _called(outcome.reports)
-    rows = [
-        (
+    lines = list[str]()
+    asks = False
+
+    def row(one: "Report") -> tuple[str, ...]:
+        nonlocal asks
+        lines.extend(f"{called(one.file)}: {words.say(flag.message)}" for flag in one.flags)
+        asks |= any(flag.code is FlagCode.WHO_HANDED_IN for flag in one.flags)
+        return (
             called(one.file),
             one_line(one.name) or one.student or "—",
             one.variant or "—",
             _score(one, words),
             _flags(one, words),
         )
-        for one in outcome.reports
-    ]
+
+    # Looked at once; and of a batch of any size no row is held.
+    rows = Shelved(map(row, outcome.reports))
     heads = (
         message("file"),
         message("student"),
@@ -98,13 +107,8 @@ def batch_text(outcome: "GradingOutcome", out: Path, words: Words) -> str:
         message("points"),
         message("flags"),
     )
-    lines = [table_text([words.say(head) for head in heads], rows, right={3})]
-    lines += [
-        f"{called(one.file)}: {words.say(flag.message)}"
-        for one in outcome.reports
-        for flag in one.flags
-    ]
-    if any(flag.code is FlagCode.WHO_HANDED_IN for one in outcome.reports for flag in one.flags):
+    lines.insert(0, table_text([words.say(head) for head in heads], rows, right={3}))
+    if asks:
         said = message("Ask, then grade again and say so, for example --whose s002.xlsx=s003.")
         lines.append(words.say(said))
     lines += _passed_over(outcome, words)
@@ -162,19 +166,31 @@ def problems_text(outcome: "GradingOutcome", out: Path, words: Words) -> str:
 
 def _called(reports: Sequence["Report"]) -> Callable[[str], str]:
     """Return what names a file of a batch: its name, with as many folders as tell it apart."""
-    count = Counter(tail for one in reports for tail in _tails(one.file))
+    # Of ends of paths, the shortest first, those that several files have; most names are unique.
+    several = list[frozenset[int]]()
+
+    def length(parts: Sequence[str]) -> int:
+        """Return with how many parts a path is told apart from those that were looked at."""
+        ends = (parts[-one:] for one in range(1, len(parts)))
+        alone = (hash(end) not in same for end, same in zip(ends, several, strict=False))
+        return next((one for one, is_alone in enumerate(alone, 1) if is_alone), len(several) + 1)
+
+    while True:
+        found = array("q")
+        for one in reports:
+            parts = Path(one.file).parts
+            if (needed := length(parts)) == len(several) + 1 <= len(parts):
+                found.append(hash(parts[-needed:]))
+        same = frozenset(hashed for hashed, count in Counter(found).items() if count > 1)
+        if not same:
+            break
+        several.append(same)
 
     def called(file: str) -> str:
-        tails = _tails(file)
-        return one_line("/".join(next((one for one in tails if count[one] == 1), tails[-1])))
+        parts = Path(file).parts or ("",)
+        return one_line("/".join(parts[-length(parts) :]))
 
     return called
-
-
-def _tails(file: str) -> list[tuple[str, ...]]:
-    """Return the ends of a path, the shortest first."""
-    parts = Path(file).parts
-    return [parts[-length:] for length in range(1, len(parts) + 1)] or [("",)]
 
 
 def _cohort_fault(outcome: "GradingOutcome", words: Words) -> Iterator[str]:

@@ -5,8 +5,10 @@ Rich looks at each cell a dozen times, which is half a second for a thousand row
 
 import io
 from collections.abc import Collection, Iterable, Mapping, Sequence
+from itertools import chain
 from typing import TYPE_CHECKING, Final
 
+from gripcourse.machine.shelf import Viewed
 from gripcourse.text.shown import shown
 
 # rich costs 60 ms to import: only who prints what does not fit pays.
@@ -26,8 +28,12 @@ def table_text(
     right: Collection[int],
     widest: Mapping[int, int] | None = None,
 ) -> str:
-    """Lay out a table; columns in `right` stand at the right, those in `widest` break earlier."""
-    heads, lines = list(heads), [[shown(cell) for cell in row] for row in rows]
+    """Lay out a table; columns in `right` stand at the right, those in `widest` break earlier.
+
+    A sequence of rows is gone through several times, and of a long one no row is held.
+    """
+    listed = rows if isinstance(rows, Sequence) else tuple(rows)
+    heads, lines = list(heads), Viewed(listed, _shown_row)
     plain = None if widest else plain_table(heads, lines, right)
     return broken_table(heads, lines, right, widest or {}) if plain is None else plain
 
@@ -67,16 +73,22 @@ def plain_table(
         The table; None where a cell has to break or may be shown otherwise than it is written,
         or a column is empty.
     """
-    lines = [heads, *rows]
-    if not all(_is_plain(cell) for line in lines for cell in line):
-        return None
-    widths = [max(map(_width, column)) for column in zip(*lines, strict=True)]
+    widths = [0] * len(heads)
+    for line in chain([heads], rows):
+        if not all(map(_is_plain, line)):
+            return None
+        widths = [max(*pair) for pair in zip(widths, map(_width, line), strict=True)]
     inner = sum(widths) + _BETWEEN * (len(widths) - 1)
     if not all(widths) or inner + 2 > WIDTH:
         return None
     sides = [number in right for number in range(len(widths))]
-    head, *body = (_line(line, widths, sides) for line in lines)
-    return "\n".join((" " * (inner + 2), head, f" {'─' * inner} ", *body)).rstrip()
+    head, under = _line(heads, widths, sides), f" {'─' * inner} "
+    body = (_line(line, widths, sides) for line in rows)
+    return "\n".join(chain((" " * (inner + 2), head, under), body)).rstrip()
+
+
+def _shown_row(row: Sequence[str]) -> list[str]:
+    return [shown(cell) for cell in row]
 
 
 def _line(cells: Sequence[str], widths: Sequence[int], sides: Sequence[bool]) -> str:

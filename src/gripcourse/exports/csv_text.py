@@ -3,7 +3,8 @@
 import csv
 import io
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
+from itertools import chain
 
 from gripcourse.text.shown import shown
 
@@ -18,11 +19,18 @@ _NUMBER = re.compile(r"-?[0-9]+(?:[.,][0-9]+)?")  # a negative number runs nothi
 
 def table_text(header: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
     """Return a table with commas between cells in every language."""
+    return "".join(table_lines(header, rows))
+
+
+def table_lines(header: Sequence[str], rows: Iterable[Sequence[str]]) -> Iterator[str]:
+    """Yield the lines of a table that may be of any length; see `table_text`."""
     stream = io.StringIO(newline="")
     table = csv.writer(stream, lineterminator="\r\n")
-    table.writerow(header)
-    table.writerows(rows)
-    return stream.getvalue()
+    for row in chain([header], rows):
+        table.writerow(row)
+        yield stream.getvalue()
+        stream.seek(0)
+        stream.truncate()
 
 
 def rounded_points(value: float) -> float:

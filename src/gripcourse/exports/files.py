@@ -1,10 +1,10 @@
 """What became of every file of a batch: graded, refused, left to a person, or not looked at."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from enum import StrEnum
 
-from gripcourse.exports.csv_text import table_text, text_cell
+from gripcourse.exports.csv_text import table_lines, text_cell
 from gripcourse.grading.model import FlagCode, Report
 from gripcourse.text.words import Message, Words
 
@@ -55,8 +55,8 @@ def reason_of(account: FileAccount, words: Words) -> str:
     return "" if account.message is None else words.say(account.message)
 
 
-def files_text(accounts: Iterable[FileAccount], words: Words) -> str:
-    """Return the table of what became of every file."""
+def files_lines(accounts: Iterable[FileAccount], words: Words) -> Iterator[str]:
+    """Yield the lines of the table of what became of every file."""
     header = ("file", "fate", "student", "why", "message")
     rows = (
         (
@@ -68,4 +68,4 @@ def files_text(accounts: Iterable[FileAccount], words: Words) -> str:
         )
         for one in accounts
     )
-    return table_text(header, rows)
+    return table_lines(header, rows)

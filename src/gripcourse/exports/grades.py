@@ -4,7 +4,7 @@ Decimal points and commas between cells in every language, so that a program rea
 everywhere.
 """
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from datetime import UTC
 from itertools import chain
@@ -14,7 +14,7 @@ from typing import Final
 from gripcourse.documents.report.mistakes import is_anothers, mistakes_in
 from gripcourse.documents.report.standing import earned_percent_of, percent_of, standing_of
 from gripcourse.documents.report.totals import totals_of
-from gripcourse.exports.csv_text import number_cell, table_text, text_cell
+from gripcourse.exports.csv_text import number_cell, table_lines, text_cell
 from gripcourse.grading.folded import Derivation, derived
 from gripcourse.grading.model import Finding, Report
 from gripcourse.policy.scales import Scale, certain_grade
@@ -43,7 +43,16 @@ def grades_text(
     students: Mapping[str, Student] = _NOBODY,
     called: Called = _PLAIN,
 ) -> str:
-    """Return the table of the grades of a batch.
+    """Return the table of the grades of a batch; see `grades_lines`."""
+    return "".join(grades_lines(reports, students, called))
+
+
+def grades_lines(
+    reports: Sequence[Report],
+    students: Mapping[str, Student] = _NOBODY,
+    called: Called = _PLAIN,
+) -> Iterator[str]:
+    """Return the lines of the table of the grades of a batch.
 
     A file that could not be judged has its row with empty points: it is not a zero.
 
@@ -53,10 +62,11 @@ def grades_text(
             has a row all the same, without points.
         called: the scales; a grade that points which wait for a person decide is left empty.
     """
-    timed = any(report.timing is not None for report in reports)
-    sections = tuple(
-        dict.fromkeys(section for one in reports for section in derived(one.findings, FOUND).points)
-    )
+    timed, handed_in, sections = False, set[str](), dict[str, None]()
+    for one in reports:
+        timed |= one.timing is not None
+        handed_in.add(one.student)
+        sections.update(dict.fromkeys(derived(one.findings, FOUND).points))
     header = (
         *("student", "name", "group", "email", "variant"),
         *("score", "max_score", "percent", "open_points"),
@@ -67,16 +77,15 @@ def grades_text(
     )
     # Cells of one row at a time: those of all take ten times the room of the table.
     rows = (
-        _row(report, students.get(report.student), called, sections, timed=timed)
+        _row(report, students.get(report.student), called, tuple(sections), timed=timed)
         for report in reports
     )
-    handed_in = {report.student for report in reports}
     lacking = (
         _missing_row(student, len(header))
         for id_, student in students.items()
         if id_ not in handed_in
     )
-    return table_text(header, chain(rows, lacking))
+    return table_lines(header, chain(rows, lacking))
 
 
 def _missing_row(student: Student, width: int) -> tuple[str, ...]:

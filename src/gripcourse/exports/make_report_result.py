@@ -2,7 +2,6 @@
 
 import math
 from collections.abc import Sequence
-from dataclasses import replace
 
 from gripcourse.documents.report.standing import earned_percent_of, percent_of, standing_of
 from gripcourse.exports.files import FileAccount, graded_account, reason_of
@@ -39,26 +38,25 @@ def grades_result(
         scales: of the policy.
         missing: students of whom there is nothing.
     """
-    made = tuple(report_result(report, words, scales) for report in reports)
-    return replace(around_reports(reports, words, incidents, others, missing), reports=made)
-
-
-def around_reports(
-    reports: Sequence[Report],
-    words: Words,
-    incidents: Sequence[str] = (),
-    others: Sequence[FileAccount] = (),
-    missing: Sequence[Student] = (),
-) -> GradesResult:
-    """Return what a batch came to but for the reports themselves; see `grades_result`."""
     accounts = (*map(graded_account, reports), *others)
-    flagged = any(one.needs_person for one in accounts)
-    files = tuple(
-        FileResult(one.file, one.fate, one.student, one.why, reason_of(one, words))
-        for one in accounts
+    return GradesResult(
+        reports=tuple(report_result(report, words, scales) for report in reports),
+        needs_person=any(one.needs_person for one in accounts),
+        incidents=tuple(incidents),
+        files=tuple(file_result(one, words) for one in accounts),
+        missing=tuple(map(missing_result, missing)),
     )
-    lacking = tuple(MissingResult(one.id, one.name, one.group, one.email) for one in missing)
-    return GradesResult((), flagged, tuple(incidents), files, lacking)
+
+
+def file_result(account: FileAccount, words: Words) -> FileResult:
+    """Put into words what became of a file."""
+    reason = reason_of(account, words)
+    return FileResult(account.file, account.fate, account.student, account.why, reason)
+
+
+def missing_result(student: Student) -> MissingResult:
+    """Return what is said of a student of whom there is nothing."""
+    return MissingResult(student.id, student.name, student.group, student.email)
 
 
 def report_result(report: Report, words: Words, scales: Sequence[Scale] = ()) -> ReportResult:

@@ -1,26 +1,22 @@
 """Reports folded small: a batch keeps every report until its end, and looks into few at a time.
 
 A finding is some fifty objects; folded, those of a work are one run of bytes, a twentieth of it. On
-a shelf these bytes lie in a temporary file, and a place in it is all that is held.
+a shelf a report lies in a temporary file, its findings beside it, and a place is all that is held.
 
 To unfold them takes as long as all that a batch wants to know of them together. So whoever folds
 them, a worker, is told beforehand what will be wanted, and lays it beside them: see `Derivation`.
 """
 
 import hashlib
-import os
 import pickle
-import sys
-import tempfile
-import weakref
 import zlib
 from collections.abc import Callable, Collection, Iterator, Mapping
-from dataclasses import dataclass, field, replace
-from threading import Lock
-from typing import IO, Any, Generic, TypeVar
+from dataclasses import dataclass, field, fields, replace
+from operator import attrgetter
+from typing import Any, Final, Generic, TypeVar
 
 from gripcourse.grading.model import Finding, Report
-from gripcourse.variants.model import Issued
+from gripcourse.machine.shelf import Place, Shelf, fetched
 
 _Value = TypeVar("_Value")
 
@@ -38,84 +34,6 @@ class Derivation(Generic[_Value]):
     derive: Callable[[Collection[Finding]], _Value]
 
 
-def _new_file() -> IO[bytes] | None:
-    try:
-        # Without a buffer: what a full disk does not take must not come back at the next reading.
-        return tempfile.TemporaryFile(buffering=0)
-    except OSError:
-        return None
-
-
-@dataclass(frozen=True, slots=True, eq=False, weakref_slot=True)
-class Shelf:
-    """A temporary file without a name for what a batch holds; it goes with the last that needs it.
-
-    Attributes:
-        file: grows at its end; None where the machine has no room for one.
-        lock: for who reads and writes between threads.
-        register: by student; what a report holds as it was issued is held once.
-    """
-
-    file: IO[bytes] | None = field(default_factory=_new_file)
-    lock: Lock = field(default_factory=Lock)
-    register: Mapping[str, Issued] = field(default_factory=dict)
-
-    def __post_init__(self) -> None:
-        if self.file is not None:
-            weakref.finalize(self, self.file.close)
-
-    def put(self, report: Report) -> Report:
-        """Return a report that says the same and leaves its findings here.
-
-        On a full disk they stay in memory, folded.
-        """
-        findings = folded(report).findings
-        if isinstance(findings, Folded):
-            if isinstance(findings.held, _Place):
-                return report  # it was put on a shelf before
-            findings = self._lying(findings, findings.held)
-        return _sharing(report, findings, self.register.get(report.student))
-
-    def _lying(self, findings: "Folded", held: bytes) -> "Folded":
-        """Return findings that lie here; as they are where there is no room."""
-        place, derived = self._put(held), findings.derived
-        if isinstance(derived, bytes) and derived:
-            derived = self._put(derived) or derived
-        return findings if place is None else replace(findings, held=place, derived=derived)
-
-    def read(self, start: int, size: int) -> bytes:
-        """Return what lies at a place.
-
-        Raises:
-            OSError: it cannot be read.
-        """
-        if self.file is None:
-            return b""
-        with self.lock:
-            self.file.seek(start)
-            return self.file.read(size)
-
-    def _put(self, held: bytes) -> "_Place | None":
-        if self.file is None:
-            return None
-        try:
-            with self.lock:
-                start = self.file.seek(0, os.SEEK_END)
-                written = self.file.write(held)
-        except OSError:
-            return None
-        return _Place(self, start, len(held)) if written == len(held) else None
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class _Place:
-    """Where bytes lie on a shelf."""
-
-    shelf: Shelf
-    start: int
-    size: int
-
-
 @dataclass(frozen=True, slots=True, eq=False, repr=False)
 class Folded:
     """Findings that are unfolded anew whenever somebody looks at them.
@@ -126,24 +44,24 @@ class Folded:
         derived: packed, what was derived from them, by name; empty for nothing.
     """
 
-    held: bytes | _Place
+    held: bytes | Place
     count: int
-    derived: bytes | _Place = b""
+    derived: bytes | Place = b""
 
     @property
     def packed(self) -> bytes:
         """The bytes, wherever they are."""
-        return _fetched(self.held)
+        return fetched(self.held)
 
     def derivation(self, name: str) -> bytes:
         """Return what was derived under a name, packed; empty where nothing was."""
-        known = _fetched(self.derived)
+        known = fetched(self.derived)
         found: Mapping[str, bytes] = pickle.loads(known) if known else {}  # noqa: S301 (as below)
         return found.get(name, b"")
 
     def __reduce__(self) -> tuple[type["Folded"], tuple[bytes, int, bytes]]:
         # Another process has no part in the shelf.
-        return Folded, (self.packed, self.count, _fetched(self.derived))
+        return Folded, (self.packed, self.count, fetched(self.derived))
 
     def __len__(self) -> int:
         return self.count
@@ -169,8 +87,45 @@ class Folded:
         return repr(tuple(self))
 
 
-def _fetched(held: bytes | _Place) -> bytes:
-    return held if isinstance(held, bytes) else held.shelf.read(held.start, held.size)
+@dataclass(frozen=True, slots=True, eq=False)
+class ReportShelf:
+    """A shelf for reports; their findings lie beside them and are fetched by who looks at them."""
+
+    shelf: Shelf = field(default_factory=Shelf)
+
+    def packed(self, report: Report) -> bytes:
+        """Put the findings of a report here, and return the rest of it; see `unpacked`."""
+        findings = folded(report).findings
+        held: object = findings
+        if isinstance(findings, Folded):
+            held = self._place(findings.held), findings.count, self._place(findings.derived)
+        return pickle.dumps((held, *_REST(report)), pickle.HIGHEST_PROTOCOL)
+
+    def unpacked(self, packed: bytes) -> Report:
+        """Return a report that was put here."""
+        held, *rest = pickle.loads(packed)  # noqa: S301 (`packed` wrote it)
+        findings: Collection[Finding] = held
+        if held:
+            whole, count, known = held
+            findings = Folded(self._held(whole), count, self._held(known))
+        values = (*rest[:_FINDINGS], findings, *rest[_FINDINGS:])
+        return Report(*values)
+
+    def _place(self, held: bytes | Place) -> tuple[int, int] | bytes:
+        """Put bytes here, where they are not yet; on a full disk they stay with the report."""
+        if isinstance(held, Place) and held.shelf is self.shelf:
+            return held.start, held.size
+        data = fetched(held)
+        place = self.shelf.put(data) if data else None
+        return data if place is None else (place.start, place.size)
+
+    def _held(self, lies: tuple[int, int] | bytes) -> Place | bytes:
+        return lies if isinstance(lies, bytes) else Place(self.shelf, *lies)
+
+
+_NAMES: Final = tuple(one.name for one in fields(Report))
+_FINDINGS: Final = _NAMES.index("findings")
+_REST: Final = attrgetter(*(name for name in _NAMES if name != "findings"))
 
 
 def folded(report: Report, wanted: Collection[Derivation[Any]] = ()) -> Report:
@@ -214,33 +169,3 @@ def digest_of_report(report: Report) -> str:
         return hashlib.sha256(repr(report).encode()).hexdigest()
     rest = repr(replace(report, findings=())).encode()
     return hashlib.sha256(b"%d\n%b%b" % (len(rest), rest, findings.packed)).hexdigest()
-
-
-def _sharing(report: Report, findings: Collection[Finding], issued: Issued | None) -> Report:
-    """Return a report that says the same, with its findings as they lie now.
-
-    What was issued is held once, and so is what many say.
-    """
-    texts: tuple[str, ...] = ()
-    options: Mapping[str, str] = {}
-    given: Mapping[str, float] = {}
-    if issued is not None:
-        texts = (issued.student.id, issued.student.name, issued.variant.id)
-        options, given = issued.variant.options, issued.variant.given
-    held = {text: text for text in texts}
-    return replace(
-        report,
-        findings=findings,
-        student=held.get(report.student, report.student),
-        name=held.get(report.name, report.name),
-        variant=held.get(report.variant, report.variant),
-        scheme=sys.intern(report.scheme),
-        language=sys.intern(report.language),
-        options=_shared(report.options, options),
-        givens=_shared(report.givens, given),
-    )
-
-
-def _shared(named: Mapping[str, _Value], held: Mapping[str, _Value]) -> Mapping[str, _Value]:
-    """Let what was issued be held once, and else equal names once for all reports."""
-    return held if named == held else {sys.intern(name): value for name, value in named.items()}

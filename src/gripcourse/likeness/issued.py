@@ -25,14 +25,15 @@ from gripcourse.variants.model import Variant
 _PROPORTIONAL = 0.995  # correlation of logarithms from which two quantities count as one
 _ENOUGH = 8  # different values from which a correlation says something
 _DIFFERENT = 1e-6  # of the logarithm
-_TOGETHER: Final = 2000  # owners in one table: what lies in memory of them at a time
+_TOGETHER: Final = 1000  # owners in one table: what lies in memory of them at a time
 _TODAY: Final[Mapping[str, Course]] = MappingProxyType({})
 
 KeptTable: TypeAlias = Callable[[int, Callable[[], SparseTable]], SparseTable]
 """Returns one of the tables: what an earlier run kept of it, or what solving comes to."""
 
 
-def _solved_anew(_: int, solve: Callable[[], SparseTable]) -> SparseTable:
+def solved_anew(_: int, solve: Callable[[], SparseTable]) -> SparseTable:
+    """Solve a table, whatever an earlier run did."""
     return solve()
 
 
@@ -147,7 +148,7 @@ def issued_values(
     course: Course,
     variants: Sequence[tuple[str, Variant]],
     declared: Mapping[str, Course] = _TODAY,
-    kept: KeptTable = _solved_anew,
+    kept: KeptTable = solved_anew,
 ) -> IssuedValues:
     """Solve all variants, as many at a time as there is room for.
 

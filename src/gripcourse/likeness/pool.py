@@ -20,7 +20,7 @@ from gripcourse.slips.model import SlipId
 
 _FILLER = 3  # unexplained cells with the same number: typed to fill them, not computed
 _AT_ONCE: Final = 100  # submissions that are looked into together
-_TOGETHER: Final = 2000  # submissions in one table: what lies in memory of them at a time
+_TOGETHER: Final = 1000  # submissions in one table: what lies in memory of them at a time
 
 
 @dataclass(frozen=True, slots=True)

@@ -23,8 +23,8 @@ def work_of(report: Report, issued: Issued, issuer: str) -> ComparedWork:
         issuer: the author that issued workbooks name.
     """
     given = issued.variant.given
-    # What was left as it was issued is held once for both.
-    used = () if report.givens is given else report.givens.items()
+    # Mostly all is left as it was issued.
+    used = () if report.givens == given else report.givens.items()
     changed = (
         Typed(quantity=name, value=value, half_unit=0.0, explained=False, slip=None)
         for name, value in used

@@ -10,13 +10,13 @@ import pickle
 import tempfile
 import weakref
 from array import array
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
-from itertools import accumulate
 from threading import Lock
 from typing import IO, Any, Final, Generic, TypeVar, overload
 
 _Value = TypeVar("_Value")
+_Of = TypeVar("_Of")
 
 _HERE: Final = -1  # of a start: what has it stayed in memory
 
@@ -84,6 +84,59 @@ def fetched(held: bytes | Place) -> bytes:
     return held if isinstance(held, bytes) else held.shelf.read(held.start, held.size)
 
 
+@dataclass(frozen=True, slots=True, eq=False)
+class _Lying:
+    """Where values lie on a shelf.
+
+    Attributes:
+        shelf: that shelf.
+        starts, sizes: of each.
+        held: bytes of those that stayed in memory.
+    """
+
+    shelf: Shelf
+    starts: "array[int]"
+    sizes: "array[int]"
+    held: dict[int, bytes]
+
+    @classmethod
+    def of(cls, shelf: Shelf, count: int) -> "_Lying":
+        """Make room for so many values."""
+        return cls(shelf, array("q", [_HERE]) * count, array("q", [0]) * count, {})
+
+    def copied(self) -> "_Lying":
+        """Return the same, to be changed."""
+        return _Lying(self.shelf, self.starts[:], self.sizes[:], dict(self.held))
+
+    def put(self, number: int, data: bytes) -> None:
+        """Put the bytes of a value on the shelf."""
+        place = self.shelf.put(data)
+        if place is None:
+            self.starts[number], self.held[number] = _HERE, data
+        else:
+            self.starts[number], self.sizes[number] = place.start, place.size
+
+    def get(self, number: int) -> bytes:
+        """Return the bytes of a value."""
+        start = self.starts[number]
+        return self.held[number] if start == _HERE else self.shelf.read(start, self.sizes[number])
+
+    def __reduce__(
+        self,
+    ) -> "tuple[Callable[[array[int], bytes], _Lying], tuple[array[int], bytes]]":
+        # Another process has no part in the shelf: the bytes travel, and get one there.
+        every = [self.get(number) for number in range(len(self.starts))]
+        return _lying_there, (array("q", map(len, every)), b"".join(every))
+
+
+def _lying_there(sizes: "array[int]", whole: bytes) -> _Lying:
+    found, start = _Lying.of(Shelf(), len(sizes)), 0
+    for number, size in enumerate(sizes):
+        found.put(number, whole[start : start + size])
+        start += size
+    return found
+
+
 class Shelved(Sequence[_Value], Generic[_Value]):
     """Values on a shelf: each is loaded anew whenever somebody asks for it.
 
@@ -91,40 +144,46 @@ class Shelved(Sequence[_Value], Generic[_Value]):
     nothing here. All that is held of a value is where it lies.
     """
 
-    __slots__ = ("_held", "_load", "_shelf", "_sizes", "_starts")
+    __slots__ = ("_dump", "_load", "_lying")
 
     def __init__(
         self,
         values: Iterable[_Value] = (),
         *,
-        shelf: Shelf | None = None,
         dump: Callable[[_Value], bytes] = pickle.dumps,
         load: Callable[[bytes], Any] = pickle.loads,
+        lying: _Lying | None = None,
     ) -> None:
         """Put values on a shelf.
 
         Args:
             values: each is asked for once and let go.
-            shelf: where they lie; None for one of their own.
             dump: makes bytes of a value.
             load: makes the value of its bytes.
+            lying: values that are there already, before these; None for none.
         """
-        self._shelf = Shelf() if shelf is None else shelf
-        self._starts, self._sizes = array("q"), array("q")
-        self._held: dict[int, bytes] = {}
-        self._load = load
-        for number, value in enumerate(values):
-            self._put(number, dump(value))
+        self._lying = _Lying.of(Shelf(), 0) if lying is None else lying
+        self._dump, self._load = dump, load
+        for number, value in enumerate(values, start=len(self)):
+            self._lying.starts.append(_HERE)
+            self._lying.sizes.append(0)
+            self._lying.put(number, dump(value))
 
-    def _put(self, number: int, data: bytes) -> None:
-        place = self._shelf.put(data)
-        if place is None:
-            self._held[number] = data
-        self._starts.append(_HERE if place is None else place.start)
-        self._sizes.append(len(data))
+    def filled(self, count: int, pairs: Iterable[tuple[int, _Value]]) -> "Shelved[_Value]":
+        """Return so many values, kept as these are, that come in any order with their places."""
+        return self._with(_Lying.of(self._lying.shelf, count), pairs)
+
+    def with_changes(self, pairs: Iterable[tuple[int, _Value]]) -> "Shelved[_Value]":
+        """Return the same values but for some, which come with their places."""
+        return self._with(self._lying.copied(), pairs)
+
+    def _with(self, lying: _Lying, pairs: Iterable[tuple[int, _Value]]) -> "Shelved[_Value]":
+        for number, value in pairs:
+            lying.put(number, self._dump(value))
+        return Shelved(dump=self._dump, load=self._load, lying=lying)
 
     def __len__(self) -> int:
-        return len(self._starts)
+        return len(self._lying.starts)
 
     @overload
     def __getitem__(self, place: int) -> _Value: ...
@@ -135,12 +194,8 @@ class Shelved(Sequence[_Value], Generic[_Value]):
     def __getitem__(self, place: int | slice) -> _Value | Sequence[_Value]:
         if isinstance(place, slice):
             return tuple(self[number] for number in range(*place.indices(len(self))))
-        value: _Value = self._load(self._bytes(range(len(self))[place]))
+        value: _Value = self._load(self._lying.get(range(len(self))[place]))
         return value
-
-    def _bytes(self, number: int) -> bytes:
-        start, size = self._starts[number], self._sizes[number]
-        return self._held[number] if start == _HERE else self._shelf.read(start, size)
 
     def __iter__(self) -> Iterator[_Value]:
         return (self[number] for number in range(len(self)))
@@ -150,18 +205,59 @@ class Shelved(Sequence[_Value], Generic[_Value]):
 
     __hash__ = None  # type: ignore[assignment] # as of any sequence whose values may have none
 
-    def __reduce__(self) -> tuple[object, ...]:
-        # Another process has no part in the shelf: the bytes travel, and get one there.
-        whole = b"".join(map(self._bytes, range(len(self))))
-        return _lying_again, (self._load, self._sizes.tobytes(), whole)
-
     def __repr__(self) -> str:
         return f"{type(self).__name__}({len(self)} values)"
 
 
-def _lying_again(load: Callable[[bytes], Any], sizes: bytes, whole: bytes) -> Shelved[Any]:
-    found = array("q")
-    found.frombytes(sizes)
-    ends = accumulate(found)
-    parts = (whole[end - size : end] for size, end in zip(found, ends, strict=True))
-    return Shelved(parts, dump=bytes, load=load)
+class Viewed(Sequence[_Value], Generic[_Value]):
+    """What follows from each value of a long series, made anew whenever somebody asks for it."""
+
+    __slots__ = ("_made", "_values")
+
+    def __init__(self, values: Sequence[_Of], made: Callable[[_Of], _Value]) -> None:
+        """Look at values through a function of each."""
+        self._values, self._made = values, made
+
+    def __len__(self) -> int:
+        return len(self._values)
+
+    @overload
+    def __getitem__(self, place: int) -> _Value: ...
+
+    @overload
+    def __getitem__(self, place: slice) -> Sequence[_Value]: ...
+
+    def __getitem__(self, place: int | slice) -> _Value | Sequence[_Value]:
+        if isinstance(place, slice):
+            return tuple(map(self._made, self._values[place]))
+        return self._made(self._values[place])
+
+    def __iter__(self) -> Iterator[_Value]:
+        return map(self._made, self._values)
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Sequence) and tuple(self) == tuple(other)
+
+    __hash__ = None  # type: ignore[assignment] # as of any sequence whose values may have none
+
+
+class ViewedMapping(Mapping[str, _Value], Generic[_Value]):
+    """What follows from each value of a large mapping, made anew whenever somebody asks for it."""
+
+    __slots__ = ("_made", "_values")
+
+    def __init__(self, values: Mapping[str, _Of], made: Callable[[_Of], _Value]) -> None:
+        """Look at values through a function of each."""
+        self._values, self._made = values, made
+
+    def __len__(self) -> int:
+        return len(self._values)
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._values)
+
+    def __contains__(self, name: object) -> bool:
+        return name in self._values
+
+    def __getitem__(self, name: str) -> _Value:
+        return self._made(self._values[name])

@@ -16,8 +16,9 @@ from zipfile import ZipFile
 
 import pytest
 
+from gripcourse.batch.graded import Graded
 from gripcourse.batch.kept_reports import KeptReports
-from gripcourse.batch.run import Graded, grade_files
+from gripcourse.batch.run import grade_files
 from gripcourse.cli.demo.students import correct
 from gripcourse.errors import UsageError
 from gripcourse.gradebook.store import open_gradebook

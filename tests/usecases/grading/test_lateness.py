@@ -10,9 +10,9 @@ from zoneinfo import ZoneInfo
 
 import pytest
 
-from gripcourse.batch.duplicates import mark_doubles
+from gripcourse.batch.duplicates import doubles
+from gripcourse.batch.graded import Graded, with_reports
 from gripcourse.batch.one_file import grade_file
-from gripcourse.batch.run import Graded
 from gripcourse.cli.demo.students import correct
 from gripcourse.cli.times_text import without_deadlines, without_times
 from gripcourse.documents.report.soundness import time_sentence
@@ -53,8 +53,8 @@ class Office:
         self.files, self.place = files, str(folder / "gradebook.sqlite")
 
     def grade(self, *said: str) -> list[Report]:
-        reports = mark_doubles([grade_file(one, self.context) for one in self.files])
-        graded = [Graded(one, "") for one in reports]
+        alone = [grade_file(one, self.context) for one in self.files]
+        graded = with_reports([Graded(one, "") for one in alone], doubles(alone))
         times = handed_in_times(said, self.files, KYIV)
         return [one.report for one in keep(graded, self.context, self.place, NOW, times)]
 

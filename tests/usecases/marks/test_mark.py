@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, Any
 
 import pytest
 
+from gripcourse.batch.graded import Graded
 from gripcourse.batch.one_file import grade_file
-from gripcourse.batch.run import Graded
 from gripcourse.cli.demo.students import correct
 from gripcourse.errors import GradebookError, GripcourseError, NextStep, UsageError
 from gripcourse.gradebook.enter import Draft

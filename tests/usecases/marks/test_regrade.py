@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING
 
 import pytest
 
+from gripcourse.batch.graded import Graded
 from gripcourse.batch.kept_reports import KeptReports
 from gripcourse.batch.one_file import GradingContext, grade_file
-from gripcourse.batch.run import Graded
 from gripcourse.cli.demo.students import correct
 from gripcourse.errors import GradebookError, NextStep, UsageError
 from gripcourse.gradebook.enter import Draft
@@ -104,7 +104,7 @@ def test_what_was_judged_to_look_is_taken_over_to_apply(
 ) -> None:
     kept = KeptReports(tmp_path / "kept", {})
     looked = regrade(faculty.files, faculty.stricter, faculty.place, 0, NOW, kept=kept)
-    monkeypatch.setattr("gripcourse.batch.run._alone", lambda files, *_: [None] * len(files))
+    monkeypatch.setattr("gripcourse.batch.run._grade", lambda *_: pytest.fail("graded again"))
     again = regrade(faculty.files, faculty.stricter, faculty.place, 0, NOW, kept=kept)
     assert again == looked
     assert len(apply_regrade(again, faculty.place, faculty.signed())) == 1

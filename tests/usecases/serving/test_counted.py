@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING
 import pytest
 
 from gripcourse.access.desk.store import open_desk
+from gripcourse.batch.graded import Graded
 from gripcourse.batch.one_file import GradingContext, grade_file
-from gripcourse.batch.run import Graded
 from gripcourse.cli.demo.students import correct
 from gripcourse.gradebook.timing import Waiver
 from gripcourse.grading.model import Report

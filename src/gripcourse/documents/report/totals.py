@@ -2,7 +2,7 @@
 
 import statistics
 from collections import Counter
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 from gripcourse.grading.model import Finding, Outcome, Report
@@ -107,7 +107,7 @@ def is_counting(report: Report) -> bool:
     return report.timing is None or report.timing.counts
 
 
-def shares(reports: Sequence[Report]) -> list[float]:
+def shares(reports: Iterable[Report]) -> list[float]:
     """Return what counts of each judged report, after lateness, as a share of what is possible."""
     return [
         report.earned / report.max_score for report in reports if report.judged and report.max_score

@@ -96,7 +96,7 @@ class Beginning:
             return None
         return said if same else None
 
-    def keep(self, said: SaidAtEnd, digests: Sequence[str], moment: datetime) -> None:
+    def keep(self, said: SaidAtEnd, digests: Iterable[str], moment: datetime) -> None:
         """Keep what this run says, unless somebody else changed the gradebook meanwhile.
 
         Args:

@@ -8,26 +8,27 @@ from itertools import chain, repeat
 from pathlib import Path
 
 from gripcourse.batch.one_file import GradingContext
-from gripcourse.exports.files import Fate, FileAccount, files_text, graded_account
-from gripcourse.exports.grades import Called, grades_text
-from gripcourse.exports.make_report_result import around_reports, grades_result
+from gripcourse.exports.files import Fate, FileAccount, files_lines, graded_account
+from gripcourse.exports.grades import Called, grades_lines
+from gripcourse.exports.make_report_result import file_result, grades_result, missing_result
+from gripcourse.exports.plain import to_plain
 from gripcourse.exports.report_json import report_json
-from gripcourse.exports.report_result import GradesResult
+from gripcourse.exports.report_result import FileResult, GradesResult, MissingResult
 from gripcourse.grading.folded import digest_of_report
 from gripcourse.grading.model import Report
 from gripcourse.machine.files import write_together
+from gripcourse.machine.shelf import Shelved, ViewedMapping
 from gripcourse.policy.scales import Scale
 from gripcourse.text.words import Words
 from gripcourse.usecases.grading.collect import REASONS, PassedOver
 from gripcourse.usecases.grading.lines_before import LinesBefore, Piece, TableLine, all_made
 from gripcourse.usecases.grading.unchanged import PrintedBefore
 from gripcourse.usecases.grading.versions import digest_of_texts
-from gripcourse.variants.model import Student
+from gripcourse.variants.model import Issued, Student
 
 GRADES_JSON = "grades.json"
 GRADES_CSV = "grades.csv"
 FILES_CSV = "files.csv"
-_NO_REPORTS = '"reports": []'
 
 
 def renew_tables(
@@ -43,7 +44,7 @@ def renew_tables(
         write_tables(reports, context, out, passed_over)
         return
     students = (repr(issued.student) for issued in context.register.values())
-    digests = [digest_of_report(one) for one in reports]
+    digests = Shelved(digest_of_report(one) for one in reports)
     made_from = digest_of_texts(chain(digests, [repr(passed_over)], students))
     if all(printed.stands(one, made_from) for one in tables):
         return
@@ -87,7 +88,7 @@ def write_tables(
     Raises:
         OSError: one of them cannot be written; those of an earlier run are untouched.
     """
-    students = {name: issued.student for name, issued in context.register.items()}
+    students = ViewedMapping(context.register, _student)
     words = Words(context.course.language)
     called = Called(context.policy.scales, words)
 
@@ -100,8 +101,8 @@ def write_tables(
     of_before = out / GRADES_JSON
     write_together(
         {
-            out / GRADES_CSV: _for_excel(lambda: grades_text(reports, students, called)),
-            out / FILES_CSV: _for_excel(lambda: files_text(accounts(), words)),
+            out / GRADES_CSV: _for_excel(lambda: grades_lines(reports, students, called)),
+            out / FILES_CSV: _for_excel(lambda: files_lines(accounts(), words)),
             of_before: (
                 all_made(pieces) if taken is None else taken.before.taken_over(of_before, pieces)
             ),
@@ -109,18 +110,21 @@ def write_tables(
     )
 
 
-def _for_excel(text: Callable[[], str]) -> Iterator[str]:
+def _for_excel(lines: Callable[[], Iterator[str]]) -> Iterator[str]:
     # The byte order mark is what tells Excel that the Cyrillic is UTF-8.
     yield "\ufeff"
-    yield text()
+    yield from lines()
+
+
+def _student(issued: Issued) -> Student:
+    return issued.student
 
 
 def missing(reports: Sequence[Report], context: GradingContext) -> tuple[Student, ...]:
     """Return the students of the register of whom the batch has nothing, by id."""
     handed_in = {report.student for report in reports}
-    return tuple(
-        issued.student for name, issued in sorted(context.register.items()) if name not in handed_in
-    )
+    names = sorted(name for name in context.register if name not in handed_in)
+    return tuple(context.register[name].student for name in names)
 
 
 def json_text(
@@ -142,16 +146,41 @@ def _json_pieces(
     passed_over: Sequence[PassedOver],
     missing: Sequence[Student],
 ) -> Iterator[Piece]:
+    """Yield the pieces of a table that may be of any length: of each list one line at a time."""
     words, scales = called.words, called.scales
-    others = tuple(map(passed_over_account, passed_over))
-    plain = around_reports(reports, words, (), others, missing).to_dict()
-    around = json.dumps(plain, ensure_ascii=False, indent=1, allow_nan=False)
-    before, after = around.split(_NO_REPORTS, 1)
-    yield before + _NO_REPORTS.removesuffix("]")
-    for number, (report, digest) in enumerate(zip(reports, digests, strict=False)):
-        yield ",\n" if number else "\n"
-        yield TableLine(digest, partial(report_json, report, words, scales))
-    yield ("\n ]" if reports else "]") + after
+
+    def accounts() -> Iterator[FileAccount]:
+        yield from map(graded_account, reports)
+        yield from map(passed_over_account, passed_over)
+
+    flagged = any(one.needs_person for one in accounts())
+    left = _as_json(GradesResult((), flagged).to_dict())
+    lists: tuple[tuple[str, Iterable[Piece]], ...] = (
+        ("reports", (TableLine(digest, partial(report_json, report, words, scales))
+                     for report, digest in zip(reports, digests, strict=False))),
+        ("files", (_item(file_result(one, words)) for one in accounts())),
+        ("missing", (_item(missing_result(one)) for one in missing)),
+    )  # fmt: skip
+    for name, lines in lists:
+        empty = f'"{name}": []'
+        before, left = left.split(empty, 1)
+        yield before + empty.removesuffix("]")
+        number = -1
+        for number, line in enumerate(lines):
+            yield ",\n" if number else "\n"
+            yield line
+        yield "\n ]" if number >= 0 else "]"
+    yield left
+
+
+def _item(result: FileResult | MissingResult) -> str:
+    """Write a list's item as it stands in a whole that is written at once."""
+    # A text may have other ends of lines in it: JSON escapes no more than this one.
+    return "  " + _as_json(to_plain(result)).replace("\n", "\n  ")
+
+
+def _as_json(plain: object) -> str:
+    return json.dumps(plain, ensure_ascii=False, indent=1, allow_nan=False)
 
 
 def batch_result(

@@ -6,7 +6,7 @@ or inside another zip may be a student's own bundle: it is named and a person un
 """
 
 import os
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from enum import StrEnum
 from pathlib import Path, PurePath
@@ -15,6 +15,7 @@ from typing import Final
 from gripcourse.errors import Problem, UsageError
 from gripcourse.machine.archive import Unusable, is_bundle, members_of
 from gripcourse.machine.content import PackedFile, Readable, pure_path, shown_name
+from gripcourse.machine.shelf import Shelved
 from gripcourse.machine.spreadsheet.by_content import is_workbook
 from gripcourse.text.words import Message, message
 from gripcourse.usecases.grading.versions import EARLIER
@@ -107,7 +108,7 @@ class PassedOver:
 class Collected:
     """The files of a batch: those to grade, and all others that were found."""
 
-    files: tuple[Readable, ...]
+    files: Sequence[Readable]
     passed_over: tuple[PassedOver, ...]
 
 
@@ -140,7 +141,7 @@ def collect(paths: Iterable[Path]) -> Collected:
         problems = [_problem(path, _no_workbook(left)) for path in paths]
     if problems:
         raise UsageError(problems)
-    return Collected(tuple(files), left)
+    return Collected(Shelved(files), left)
 
 
 def why_not(file: Readable) -> WhyNot | None:

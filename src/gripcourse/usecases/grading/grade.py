@@ -1,13 +1,14 @@
 """Grading a batch: files in; reports, grades and what a person must look at out."""
 
-from collections.abc import Callable, Collection, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from datetime import date
 from pathlib import Path
 
+from gripcourse.batch.graded import Graded, reports_of, with_reports
 from gripcourse.batch.one_file import GradingContext
-from gripcourse.batch.run import Graded, grade_files, incident_number, is_found_out
-from gripcourse.documents.report.totals import counting, shares
+from gripcourse.batch.run import grade_files, incident_number, is_found_out
+from gripcourse.documents.report.totals import is_counting, shares
 from gripcourse.exports.grades import FOUND
 from gripcourse.exports.report_json import said_in
 from gripcourse.gradebook.results import RESULTS, RESULTS_DIGEST
@@ -66,7 +67,7 @@ class GradingOutcome:
         undated: students with a judged work who have no deadline, though lateness costs, by id.
     """
 
-    reports: tuple[Report, ...]
+    reports: Sequence[Report]
     written: Mapping[str, Path]
     cohort: Path | None
     needs_person: bool
@@ -86,7 +87,7 @@ def grade(
     on_done: Callable[[Readable], None],
     earlier: Earlier | None = None,
     pool: Pool = PROCESSES,
-) -> tuple[Graded, ...]:
+) -> Sequence[Graded]:
     """Grade files, but for those that an earlier run graded; see `batch.run.grade_files`."""
     kept = None if earlier is None else earlier.reports
     count = min(workers, len(files))
@@ -128,8 +129,8 @@ def write_results(  # noqa: PLR0913 (the last is what everybody leaves as it is)
         pool: kind of workers.
     """
     _discard_unfinished(out)
-    plain = [one.report for one in graded]
-    peers = tuple(shares(counting(plain)))
+    plain = reports_of(graded)
+    peers = tuple(shares(filter(is_counting, plain)))
     printing = Printing(
         context.course, context.policy, graded_on, peers=peers, declared=context.declared
     )
@@ -139,18 +140,19 @@ def write_results(  # noqa: PLR0913 (the last is what everybody leaves as it is)
         outcomes = write_reports(
             plain, printing, out / REPORTS, workers, on_done, lay_out, printed=printed, pool=pool
         )
-    reports = [_with_incident(*pair) for pair in zip(plain, outcomes, strict=True)]
+    lost = [(number, one) for number, one in enumerate(outcomes) if isinstance(one, Lost)]
+    graded = with_reports(
+        graded, ((number, _with_incident(plain[number], one)) for number, one in lost)
+    )
+    reports = reports_of(graded)
     written = {
-        report.file: path
-        for report, one in zip(reports, outcomes, strict=True)
+        reports[number].file: path
+        for number, one in enumerate(outcomes)
         if (path := one.path if isinstance(one, AsItWas) else one) and isinstance(path, Path)
     }
-    incidents = [one.incident for one in graded if one.incident]
-    incidents += [
-        _told(one, f"report of {report.file}")
-        for report, one in zip(reports, outcomes, strict=True)
-        if isinstance(one, Lost)
-    ]
+    seen = _Seen.of(graded)
+    incidents = [*seen.incidents]
+    incidents += [_told(one, f"report of {reports[number].file}") for number, one in lost]
     renew_tables(reports, context, out, passed_over, printed)
     failed = None
     if lay_out is not None:
@@ -164,35 +166,54 @@ def write_results(  # noqa: PLR0913 (the last is what everybody leaves as it is)
         (out / INCIDENTS).unlink(missing_ok=True)
     cohort = None if failed is not None or lay_out is None else out / COHORT_PDF
     return GradingOutcome(
-        reports=tuple(reports),
+        reports=reports,
         written=written,
         cohort=cohort,
         needs_person=failed is not None
-        or any(one.flags for one in reports)
+        or seen.is_flagged
         or any(one.needs_person for one in passed_over),
         passed_over=tuple(passed_over),
         left_over=left_over(out, {*written.values(), *([] if cohort is None else [cohort])}),
         taken_over=TakenOver(
-            results=sum(one.taken_over for one in graded),
+            results=seen.taken_over,
             reports=sum(isinstance(one, AsItWas) for one in outcomes),
         ),
         grades_only=lay_out is None,
         missing=missing(reports, context),
         cohort_fault="" if failed is None else failed.reason,
-        undated=_undated(reports) if context.policy.late is not None else (),
+        undated=tuple(sorted(seen.undated)) if context.policy.late is not None else (),
     )
 
 
-def _undated(reports: Sequence[Report]) -> tuple[str, ...]:
-    return tuple(
-        sorted(
-            {
-                one.student
-                for one in reports
-                if one.judged and one.timing is not None and one.timing.deadline is None
-            }
-        )
-    )
+@dataclass(slots=True)
+class _Seen:
+    """What is seen in a batch that is looked through once.
+
+    Attributes:
+        incidents: what failed on our side.
+        is_flagged: whether anything waits for a person.
+        taken_over: how many results an earlier run found out.
+        undated: students with a judged work who have no deadline.
+    """
+
+    incidents: list[str] = field(default_factory=list)
+    is_flagged: bool = False
+    taken_over: int = 0
+    undated: set[str] = field(default_factory=set)
+
+    @classmethod
+    def of(cls, graded: Iterable[Graded]) -> "_Seen":
+        """Look through a batch."""
+        seen = cls()
+        for one in graded:
+            report = one.report
+            if one.incident:
+                seen.incidents.append(one.incident)
+            seen.is_flagged |= bool(report.flags)
+            seen.taken_over += one.taken_over
+            if report.judged and report.timing is not None and report.timing.deadline is None:
+                seen.undated.add(report.student)
+        return seen
 
 
 def is_settled(graded: Sequence[Graded], context: GradingContext, out: Path, workers: int) -> bool:
@@ -244,7 +265,7 @@ def _print_cohort(
     Returns:
         Why it could not be laid out, None where it was.
     """
-    made_from = told_of(*reports) if printed else ""
+    made_from = told_of(reports) if printed else ""
     if printed and printed.stands(path, made_from):
         return None
     plain = Printing(printing.course, printing.policy, printing.graded_on)
@@ -271,9 +292,7 @@ def _told(lost: Lost, of: str) -> str:
     return f"incident {incident_number(lost.trace)}: {of}\n{lost.trace}"
 
 
-def _with_incident(report: Report, outcome: Written) -> Report:
-    if not isinstance(outcome, Lost):
-        return report
+def _with_incident(report: Report, outcome: Lost) -> Report:
     said = message(
         "The report could not be laid out (incident {number}): {reason}",
         number=incident_number(outcome.trace),

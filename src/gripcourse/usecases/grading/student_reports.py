@@ -142,7 +142,7 @@ def write_reports(  # noqa: PLR0913 (the last ones are what everybody leaves as 
 def _made_from(report: Report, printing: Printing) -> str:
     """Tell what of this batch a report is made from; `PrintedBefore` knows the rest."""
     words = Words(report.language or printing.course.language)
-    return told_of(report, peers_text(report, printing.policy, words, printing.peers))
+    return told_of((report, peers_text(report, printing.policy, words, printing.peers)))
 
 
 def _lay_out(report: Report, shared: tuple[LayOut, Printing]) -> bytes:

@@ -7,6 +7,7 @@ one and what was kept is not found.
 
 import hashlib
 import shutil
+from collections.abc import Iterable
 from dataclasses import dataclass
 from datetime import date
 from itertools import chain
@@ -88,7 +89,7 @@ class Earlier:
     printed: PrintedBefore
 
 
-def told_of(*reports: Report | str) -> str:
+def told_of(reports: Iterable[Report | str]) -> str:
     """Return a digest of all that reports say, and of what else a document says."""
     return digest_of_texts(
         digest_of_report(one) if isinstance(one, Report) else one for one in reports

@@ -1,14 +1,15 @@
 """Keeping what was graded, and letting the marks of persons enter the reports."""
 
 from collections import defaultdict
-from collections.abc import Container, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Container, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from datetime import datetime
+from itertools import chain, islice
 from types import MappingProxyType
 from typing import Final
 
+from gripcourse.batch.graded import Changes, Graded, reports_of, with_reports
 from gripcourse.batch.one_file import GradingContext
-from gripcourse.batch.run import Graded
 from gripcourse.gradebook.apply import as_it_stands, with_marks
 from gripcourse.gradebook.deadlines import Deadline, course_deadlines, deadline_of
 from gripcourse.gradebook.fingerprint import fingerprints
@@ -24,14 +25,13 @@ from gripcourse.gradebook.results import digest_is_known
 from gripcourse.gradebook.store import Gradebook, open_gradebook
 from gripcourse.gradebook.timing import Waiver, timings_by_policy
 from gripcourse.gradebook.works import StudentWork, works_of
-from gripcourse.grading.folded import Shelf
 from gripcourse.grading.model import FlagCode, Report, Timing
 from gripcourse.machine.database.home import exists
 from gripcourse.policy.time_rules import Counts, LateRule
 from gripcourse.usecases.marks.handed_in import HandingTime
 from gripcourse.variants.model import Issued
 
-# Their attempts take some ten kilobytes each.
+# What the gradebook knows of all at once is large: attempts take some ten kilobytes each.
 _STUDENTS_AT_ONCE: Final = 200
 
 _NO_TIMES: Mapping[str, HandingTime] = MappingProxyType({})
@@ -67,7 +67,7 @@ def keep(
     place: str,
     now: datetime,
     times: Mapping[str, HandingTime] = _NO_TIMES,
-) -> tuple[Graded, ...]:
+) -> Sequence[Graded]:
     """Keep a batch in the gradebook, and return it with the marks of persons.
 
     A work that its student was told about stands as it was told; only a regrade changes that.
@@ -83,13 +83,13 @@ def keep(
         GradebookError: the gradebook cannot be used.
         TableError: the table of deadlines cannot be used.
     """
-    places: dict[str, list[int]] = {}
-    for number, one in enumerate(graded):
-        if one.report.student and one.report.digest:
-            places.setdefault(one.report.student, []).append(number)
+    places: dict[str, tuple[int, ...]] = {}
+    for number, report in enumerate(reports_of(graded)):
+        if report.student and report.digest:
+            places[report.student] = (*places.get(report.student, ()), number)
     if not places:
         # Nobody's file: a gradebook is not made for nothing.
-        return tuple(graded)
+        return graded
     deadlines = course_deadlines(context.course.root, context.policy.late)
     book = open_gradebook(place)
     keeping = _Keeping(
@@ -103,13 +103,10 @@ def keep(
         waived=waivers(book),
         marked=book.marked_students(),
     )
-    kept, shelf = list(graded), Shelf(register=context.register)
-    for students in _portions(list(places)):
-        for student, reports in _kept(keeping, students, places, graded):
-            for number, report in zip(places[student], reports, strict=True):
-                if report is not graded[number].report:
-                    kept[number] = replace(graded[number], report=shelf.put(report))
-    return tuple(kept)
+    left = iter(places)
+    portions = iter(lambda: tuple(islice(left, _STUDENTS_AT_ONCE)), ())
+    changes = (_kept(keeping, students, places, graded) for students in portions)
+    return with_reports(graded, chain.from_iterable(changes))
 
 
 @dataclass(frozen=True, slots=True)
@@ -139,19 +136,13 @@ class _Keeping:
     marked: Container[str]
 
 
-def _portions(students: Sequence[str]) -> Iterator[Sequence[str]]:
-    """Part students: what the gradebook knows of all at once is large."""
-    for start in range(0, len(students), _STUDENTS_AT_ONCE):
-        yield students[start : start + _STUDENTS_AT_ONCE]
-
-
 def _kept(
     keeping: _Keeping,
     students: Sequence[str],
     places: Mapping[str, Sequence[int]],
     graded: Sequence[Graded],
-) -> Iterator[tuple[str, list[Report]]]:
-    """Keep the works of some students; yield their reports as the gradebook says."""
+) -> Changes:
+    """Keep the works of some students; yield the reports of which the gradebook says more."""
     book, policy = keeping.book, keeping.context.policy
     reports = {name: [graded[number].report for number in places[name]] for name in students}
     found = (
@@ -186,7 +177,9 @@ def _kept(
             entered = [replace(one, timing=timings.get(one.digest)) for one in entered]
         if policy.attempts is not None and _is_ordered(timings.values()):
             entered = [_undisputed(one) for one in entered]
-        yield name, entered
+        for number, found_out, stands_now in zip(places[name], reports[name], entered, strict=True):
+            if stands_now is not found_out:
+                yield number, stands_now
 
 
 def _known(keeping: _Keeping, students: Sequence[str]) -> tuple[Attempt, ...]:
