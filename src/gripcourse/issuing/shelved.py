@@ -76,7 +76,9 @@ def shelved(
         for student, mine in before.items()
     }
     earlier = {student: tuple(mine[:-1]) for student, mine in oldest_first.items()}
-    return ShelvedRegister(course_id, _Last(numbers, rows.entry), _Loading(earlier, rows.entries))
+    return ShelvedRegister(
+        course_id, _LastVersions(numbers, rows.entry), _Loading(earlier, rows.entries)
+    )
 
 
 @dataclass(frozen=True, slots=True, eq=False, repr=False)
@@ -115,7 +117,7 @@ class _Loading(Mapping[str, _Value], Generic[_Value, _Place]):
 
 
 @dataclass(frozen=True, slots=True, eq=False, repr=False)
-class _Last(_Loading[Issued, int]):
+class _LastVersions(_Loading[Issued, int]):
     """The versions that count.
 
     Attributes:
