@@ -46,7 +46,7 @@ def report(room: Classroom) -> Report:
 def put(report: Report) -> Report:
     """The same from a shelf."""
     shelf = ReportShelf()
-    return shelf.unpacked(shelf.packed(report))
+    return shelf.report(shelf.plain(report))
 
 
 def test_nothing_is_lost_and_little_is_kept(report: Report) -> None:
@@ -61,12 +61,12 @@ def test_nothing_is_lost_and_little_is_kept(report: Report) -> None:
     assert len(small.findings.packed) < 10_000
     shelf = ReportShelf()
     asked = (small, report, replace(small, file="another"))
-    held = [shelf.unpacked(shelf.packed(one)) for one in asked]
+    held = [shelf.report(shelf.plain(one)) for one in asked]
     assert held == [small, small, replace(small, file="another")]
     assert {digest_of_report(one) for one in held[:2]} == {digest_of_report(small)}
     assert digest_of_report(held[2]) != digest_of_report(small)
     # It lies there already: only what is beside the findings is put there once more.
-    assert shelf.packed(held[0]) == shelf.packed(held[0])
+    assert shelf.plain(held[0]) == shelf.plain(held[0])
     assert pickle.loads(pickle.dumps(held)) == held  # noqa: S301 (ours)
     assert len(pickle.dumps(held[0])) == len(pickle.dumps(small))
 
@@ -74,7 +74,7 @@ def test_nothing_is_lost_and_little_is_kept(report: Report) -> None:
 def test_without_room_for_a_file_findings_stay_in_memory(report: Report) -> None:
     with Path("/dev/full").open("r+b", buffering=0) as full:
         shelves = [ReportShelf(Shelf(file)) for file in (None, full)]
-        assert [one.unpacked(one.packed(report)) for one in shelves] == [report, report]
+        assert [one.report(one.plain(report)) for one in shelves] == [report, report]
 
 
 def test_what_will_be_wanted_of_findings_lies_beside_them(report: Report) -> None:

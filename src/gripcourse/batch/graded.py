@@ -3,7 +3,7 @@
 import pickle
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
-from typing import TypeAlias
+from typing import Final, TypeAlias
 
 from gripcourse.grading.folded import ReportShelf
 from gripcourse.grading.model import Report
@@ -25,6 +25,8 @@ class Graded:
     taken_over: bool = False
 
 
+_NEWEST: Final = pickle.HIGHEST_PROTOCOL
+
 Changes: TypeAlias = Iterable[tuple[int, Report]]
 """Reports that stand in the place of others, with their places in the batch."""
 
@@ -34,11 +36,11 @@ def on_a_shelf(graded: Iterable[Graded] = ()) -> Shelved[Graded]:
     shelf = ReportShelf()
 
     def dump(one: Graded) -> bytes:
-        return pickle.dumps((shelf.packed(one.report), one.incident, one.taken_over))
+        return pickle.dumps((one.incident, one.taken_over, *shelf.plain(one.report)), _NEWEST)
 
     def load(packed: bytes) -> Graded:
-        report, incident, taken_over = pickle.loads(packed)  # noqa: S301 (written above)
-        return Graded(shelf.unpacked(report), incident, taken_over)
+        incident, taken_over, *plain = pickle.loads(packed)  # noqa: S301 (written above)
+        return Graded(shelf.report(tuple(plain)), incident, taken_over)
 
     return Shelved(graded, dump=dump, load=load)
 

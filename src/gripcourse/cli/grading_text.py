@@ -142,15 +142,15 @@ def problems_text(outcome: "GradingOutcome", out: Path, words: Words) -> str:
     from gripcourse.usecases.grading.batch_tables import FILES_CSV
     from gripcourse.usecases.grading.grade import INCIDENTS
 
-    ours, called = (FlagCode.INCIDENT, FlagCode.REPORT_INCIDENT), _called(outcome.reports)
-    lines = [
-        f"{called(one.file)}: {words.say(flag.message)}"
-        for one in outcome.reports
-        for flag in one.flags
-        if flag.code in ours
-    ]
+    ours = FlagCode.INCIDENT, FlagCode.REPORT_INCIDENT
+    flagged = [(one.file, one.flags) for one in outcome.reports if one.flags]
+    said_of = [(file, flag) for file, flags in flagged for flag in flags if flag.code in ours]
+    lines = list[str]()
+    if said_of:
+        called = _called(outcome.reports)
+        lines += [f"{called(file)}: {words.say(flag.message)}" for file, flag in said_of]
     lines += _cohort_fault(outcome, words)
-    waiting = sum(bool(one.flags) for one in outcome.reports)
+    waiting = len(flagged)
     waiting += sum(one.needs_person for one in outcome.passed_over)
     if waiting:
         said = message("Files that wait for a person: {count}.", count=waiting)

@@ -93,22 +93,22 @@ class ReportShelf:
 
     shelf: Shelf = field(default_factory=Shelf)
 
-    def packed(self, report: Report) -> bytes:
-        """Put the findings of a report here, and return the rest of it; see `unpacked`."""
+    def plain(self, report: Report) -> tuple[object, ...]:
+        """Put the findings of a report here, and return the rest of it; see `report`."""
         findings = folded(report).findings
         held: object = findings
         if isinstance(findings, Folded):
             held = self._place(findings.held), findings.count, self._place(findings.derived)
-        return pickle.dumps((held, *_REST(report)), pickle.HIGHEST_PROTOCOL)
+        return held, *_REST(report)
 
-    def unpacked(self, packed: bytes) -> Report:
+    def report(self, plain: tuple[Any, ...]) -> Report:
         """Return a report that was put here."""
-        held, *rest = pickle.loads(packed)  # noqa: S301 (`packed` wrote it)
+        held = plain[0]
         findings: Collection[Finding] = held
         if held:
             whole, count, known = held
             findings = Folded(self._held(whole), count, self._held(known))
-        values = (*rest[:_FINDINGS], findings, *rest[_FINDINGS:])
+        values = (*plain[1 : _FINDINGS + 1], findings, *plain[_FINDINGS + 1 :])
         return Report(*values)
 
     def _place(self, held: bytes | Place) -> tuple[int, int] | bytes:

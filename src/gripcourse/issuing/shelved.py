@@ -68,7 +68,7 @@ def shelved(
             numbers[student] = number
             yield entry
 
-    rows = _shelved_rows(looked_at())
+    rows = _on_shelf(looked_at())
     wrong = [one for one in chain(numbers.values(), replaced) if one in changed]
     refuse_changed([rows.entry(one) for one in wrong], len(rows.ids), place)
     oldest_first = {
@@ -76,7 +76,9 @@ def shelved(
         for student, mine in before.items()
     }
     earlier = {student: tuple(mine[:-1]) for student, mine in oldest_first.items()}
-    return ShelvedRegister(course_id, _Last(numbers, rows.entry), _Loading(earlier, rows.entries))
+    return ShelvedRegister(
+        course_id, _LastVersions(numbers, rows.entry), _Loading(earlier, rows.entries)
+    )
 
 
 @dataclass(frozen=True, slots=True, eq=False, repr=False)
@@ -115,7 +117,7 @@ class _Loading(Mapping[str, _Value], Generic[_Value, _Place]):
 
 
 @dataclass(frozen=True, slots=True, eq=False, repr=False)
-class _Last(_Loading[Issued, int]):
+class _LastVersions(_Loading[Issued, int]):
     """The versions that count.
 
     Attributes:
@@ -134,7 +136,7 @@ class _Last(_Loading[Issued, int]):
 
 
 @dataclass(frozen=True, slots=True)
-class _Rows:
+class _NumberedEntries:
     """Entries by their numbers.
 
     Attributes:
@@ -194,7 +196,7 @@ class _Common(Generic[_Value]):
         return found
 
 
-def _shelved_rows(entries: Iterable[Issued]) -> _Rows:
+def _on_shelf(entries: Iterable[Issued]) -> _NumberedEntries:
     """Put entries on a shelf, each as it comes."""
     ids: list[str] = []
     common, options = _Common[Any](), _Common[Mapping[str, str]]()
@@ -220,4 +222,4 @@ def _shelved_rows(entries: Iterable[Issued]) -> _Rows:
         return own, in_common
 
     records: Shelved[_Record] = Shelved(map(record, entries))
-    return _Rows(ids, records, common.values, options.values, names.values)
+    return _NumberedEntries(ids, records, common.values, options.values, names.values)

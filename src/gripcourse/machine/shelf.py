@@ -18,6 +18,7 @@ from typing import IO, Any, Final, Generic, TypeVar, overload
 _Value = TypeVar("_Value")
 _Of = TypeVar("_Of")
 
+_READS_AT_ONCE: Final = hasattr(os, "pread")  # at a place, whoever writes meanwhile: not on Windows
 _HERE: Final = -1  # of a start: what has it stayed in memory
 
 
@@ -65,6 +66,8 @@ class Shelf:
         """
         if self.file is None:
             return b""
+        if _READS_AT_ONCE:
+            return os.pread(self.file.fileno(), size, start)
         with self.lock:
             self.file.seek(start)
             return self.file.read(size)

@@ -51,6 +51,24 @@ def test_so_they_are_where_several_travel_together(errands: ModuleType, pool: Po
     assert sorted(done) == list(range(100))
 
 
+def test_an_item_is_asked_for_when_its_turn_comes(errands: ModuleType) -> None:
+    asked: list[int] = []
+
+    class Noting(Sequence[int]):
+        def __len__(self) -> int:
+            return 100
+
+        def __getitem__(self, place: Any) -> Any:  # noqa: ANN401 (a slice is never asked for)
+            asked.append(place)
+            return place
+
+    jobs = run_each(errands.double, Noting(), 1, workers=1, seconds=60, pool=THREADS)
+    next(jobs)
+    assert len(asked) < 10
+    assert len(list(jobs)) == 99
+    assert asked == list(range(100))
+
+
 def test_of_jobs_that_travel_together_only_the_one_that_ends_its_worker_is_lost(
     errands: ModuleType,
 ) -> None:

@@ -33,7 +33,7 @@ _Done: TypeAlias = Iterator[tuple[int, Any]]
 
 
 @dataclass(slots=True)
-class _Waiting:
+class _JobsLeft:
     """Jobs that nobody has begun: each item is asked for when its turn comes, and not held here.
 
     Attributes:
@@ -166,7 +166,7 @@ def all_done(jobs: Iterable[tuple[int, Result | Lost]]) -> Iterator[tuple[int, R
 
 def _each(items: Sequence[Any], crew: _Crew, workers: int, stay: list[int]) -> _Done:
     """Do all jobs but those whose items cannot travel: their numbers are added to `stay`."""
-    waiting = _Waiting(items, range(len(items)))
+    waiting = _JobsLeft(items, range(len(items)))
     while waiting:
         count = min(workers, len(waiting))
         # Who was taken along when a worker died may be the one that it died of.
@@ -178,7 +178,7 @@ def _each(items: Sequence[Any], crew: _Crew, workers: int, stay: list[int]) -> _
             left = sorted((*suspects, *waiting.left()))
             yield from ((number, lost) for number in left)
             return
-        alone = _Waiting(items, sorted(suspects))
+        alone = _JobsLeft(items, sorted(suspects))
         while alone:
             single = replace(crew, together=1)
             lost_alone, _ = yield from _until_worker_dies(alone, single, 1, 1, stay)
@@ -186,7 +186,7 @@ def _each(items: Sequence[Any], crew: _Crew, workers: int, stay: list[int]) -> _
 
 
 def _until_worker_dies(
-    waiting: _Waiting, crew: _Crew, workers: int, ahead: int, stay: list[int]
+    waiting: _JobsLeft, crew: _Crew, workers: int, ahead: int, stay: list[int]
 ) -> Generator[tuple[int, Any], None, tuple[list[int], bool]]:
     """Do jobs that wait, until none is left or a worker dies.
 
@@ -243,7 +243,7 @@ class _Message:
         return answer if self.several else (answer,)
 
 
-def _next_message(waiting: _Waiting, crew: _Crew, ahead: int, stay: list[int]) -> _Message:
+def _next_message(waiting: _JobsLeft, crew: _Crew, ahead: int, stay: list[int]) -> _Message:
     """Take jobs that wait: the fewer are left, the fewer go together.
 
     So no worker has much to do when the others have nothing any more.
