@@ -22,8 +22,8 @@ from weasyprint.css import (
 
 from gripcourse.documents.sharing.bounded import Bounded
 
-_MOST_SETS: Final = 16  # of style sheets
-_MOST_PLACES: Final = 20_000  # under one set
+_MOST_SETS: Final = 8  # of style sheets
+_MOST_PLACES: Final = 3000  # under one set; reports have a thousand, of 10 kB
 
 _Element: TypeAlias = Any
 _Cascaded: TypeAlias = dict[str, tuple[Any, Any]]
