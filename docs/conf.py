@@ -41,7 +41,8 @@ _READ_BY_ALL = {
 # A table that is wider than a telephone is moved inside of its frame: its columns need not be as
 # narrow as a word. The index breaks its long names instead.
 _STYLE = (
-    "<style>@media (max-width: 46em) { .table-wrapper td { min-width: 9em } }"
+    "<style>@media (max-width: 46em) {"
+    " .table-wrapper td:nth-child(2), .table-wrapper td:last-child { min-width: 9em } }"
     " .indextable { table-layout: fixed; overflow-wrap: anywhere }</style>"
 )
 

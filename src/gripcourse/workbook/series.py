@@ -11,6 +11,7 @@ from gripcourse.text.words import Words, message
 from gripcourse.workbook.cover import LOCKED
 from gripcourse.workbook.layout import WorkbookLayout
 from gripcourse.workbook.style import Styles, row_height, set_page
+from gripcourse.workbook.wrapping import lines_taken
 
 if TYPE_CHECKING:
     from xlsxwriter import Workbook
@@ -20,6 +21,7 @@ _COLUMNS: Final = 10  # of sizes in a row, as many as a page has room for
 _WIDTH: Final = 10.8  # of a column, in characters
 _FIRST: Final = 3  # row of the first series
 _LINE: Final = 12.75  # points of a row
+_HEADING_LINE, _HEADING_EDGES = 10.5, 4.0  # points: of a line of a heading, and round them
 _HEADING_LETTERS: Final = 0.86  # of headings beside usual ones: bold, and smaller
 _PAGE: Final = 850.0  # points of rows on a page where the columns are as wide as it
 _DRAWN_TOGETHER: Final = 1.15  # of a page: so much is printed smaller, on one
@@ -92,7 +94,9 @@ def _parts(table: NeededTable) -> Iterator[tuple[str, ...]]:
 
 
 def _heading_height(table: NeededTable, names: Iterable[str], words: Words) -> float:
-    return row_height((_heading(table, name, words), _WIDTH / _HEADING_LETTERS) for name in names)
+    room = _WIDTH / _HEADING_LETTERS
+    lines = max(lines_taken(_heading(table, name, words), room) for name in names)
+    return _HEADING_LINE * lines + _HEADING_EDGES
 
 
 def _title(table: NeededTable, words: Words) -> str:
