@@ -144,3 +144,17 @@ def test_after_a_mistake_two_cells_are_exchanged_by_ones_own_numbers(
         if tried > 2:
             return
     assert tried
+
+
+def test_what_follows_from_exchanged_numbers_as_they_were_meant_is_no_mistake(
+    flat_belt: "Case",
+) -> None:
+    """After a wrong torque; the shaft is computed with the torque that stands in the next cell."""
+    first, second = "torque_large", "driven_speed"
+    later = flat_belt.following(torque_small=1.31 * flat_belt.reference["torque_small"])
+    answers = {**later, first: later[second], second: later[first]}
+    lost = flat_belt.lost(answers)
+    assert "torque_small" in lost
+    assert len(lost) == 2, lost
+    said = [str(one.message) for one in flat_belt.findings(answers).values()]
+    assert any("are exchanged" in one for one in said)

@@ -6,15 +6,24 @@ from itertools import combinations
 
 from gripcourse.course.quantity import Kind
 from gripcourse.grading.comparison import Comparison
-from gripcourse.grading.submission_case import GradingCase, JudgedAnswer, cost_already
+from gripcourse.grading.intended import better
+from gripcourse.grading.submission_case import (
+    GradingCase,
+    JudgedAnswer,
+    cost_already,
+    judge_answer,
+    with_answers,
+)
 from gripcourse.policy.bands import within
+from gripcourse.submission.model import Answer
 from gripcourse.text.words import message
 
 
 def exchanged_once(case: GradingCase, judged: Sequence[JudgedAnswer]) -> list[JudgedAnswer]:
     """Let the second of two answers count that were written into each other's cells.
 
-    Whoever takes the ends of a range for each other has made one mistake too.
+    Whoever takes the ends of a range for each other has made one mistake too. What follows from
+    the numbers as they were meant is no mistake at all.
 
     Args:
         case: the submission.
@@ -23,12 +32,16 @@ def exchanged_once(case: GradingCase, judged: Sequence[JudgedAnswer]) -> list[Ju
     Returns:
         The same in the same order.
     """
-    changed: dict[str, JudgedAnswer] = {}
+    now, taken = list(judged), set[str]()
     for one, other in _pairs(judged):
-        if one.quantity.id not in changed and other.quantity.id not in changed:
-            changed[one.quantity.id] = _first(one, other)
-            changed[other.quantity.id] = _second(case, one, other)
-    return [changed.get(one.quantity.id, one) for one in judged]
+        ids = {one.quantity.id, other.quantity.id}
+        meant = _as_meant(case, one, other) if taken.isdisjoint(ids) else None
+        if meant is not None:
+            pair = (_first(one, other), _second(case, one, other))
+            changed = {answer.quantity.id: answer for answer in pair}
+            now = [changed.get(answer.quantity.id, _again(meant, answer)) for answer in now]
+            taken |= ids
+    return now
 
 
 def _pairs(judged: Sequence[JudgedAnswer]) -> Iterator[tuple[JudgedAnswer, JudgedAnswer]]:
@@ -52,6 +65,33 @@ def _pairs(judged: Sequence[JudgedAnswer]) -> Iterator[tuple[JudgedAnswer, Judge
             and _is_for(there.value, here, other.quantity.id)
         ):
             yield one, other
+
+
+def _as_meant(case: GradingCase, one: JudgedAnswer, other: JudgedAnswer) -> GradingCase | None:
+    """Return the case with two numbers in each other's cells; None where they are not right there.
+
+    Two answers of which one repeats the other would be wrong again.
+    """
+    if one.answer is None or other.answer is None:
+        return None
+    meant = {
+        one.quantity.id: _with_number_of(one.answer, other.answer),
+        other.quantity.id: _with_number_of(other.answer, one.answer),
+    }
+    after = with_answers(case, meant)
+    found = (judge_answer(after, each.quantity, meant[each.quantity.id]) for each in (one, other))
+    return after if all(each.judgement.outcome.traits.right for each in found) else None
+
+
+def _with_number_of(answer: Answer, other: Answer) -> Answer:
+    return replace(answer, value=other.value, half_unit=other.half_unit, figures=other.figures)
+
+
+def _again(meant: GradingCase, judged: JudgedAnswer) -> JudgedAnswer:
+    """Judge a mistake again by the numbers as they were meant."""
+    if not judged.judgement.outcome.traits.mistake:
+        return judged
+    return better(judged, judge_answer(meant, judged.quantity, judged.answer))
 
 
 def _is_for(value: float, comparison: Comparison, other: str) -> bool:

@@ -51,7 +51,7 @@ def as_intended(case: GradingCase, judged: Sequence[JudgedAnswer]) -> list[Judge
         after = with_answers(case, known)
         changed |= new.keys() | _changed(before, after)
         seen = _again(after, seen, known.keys(), changed)
-        best = [_better(*pair) for pair in zip(best, seen, strict=True)]
+        best = [better(*pair) for pair in zip(best, seen, strict=True)]
         before, changed = after, set()
     return best
 
@@ -78,7 +78,7 @@ def _from_impossible(
         return list(judged)
     after = with_answers(case, {}, outside)
     again = _again(after, judged, (), _changed(case, after).union(outside))
-    return [_better(*pair) for pair in zip(judged, again, strict=True)]
+    return [better(*pair) for pair in zip(judged, again, strict=True)]
 
 
 def _newly_intended(
@@ -96,7 +96,8 @@ def _newly_intended(
     return {name: new[name] for name in _earliest(case.plan, new.keys())}
 
 
-def _better(one: JudgedAnswer, later: JudgedAnswer) -> JudgedAnswer:
+def better(one: JudgedAnswer, later: JudgedAnswer) -> JudgedAnswer:
+    """Return the better of two conclusions about an answer, the first of two that are alike."""
     return later if _worth(later) > _worth(one) else one
 
 
