@@ -15,6 +15,7 @@ from gripcourse.grading.submission_case import (
     with_answers,
 )
 from gripcourse.policy.bands import within
+from gripcourse.submission.model import Answer
 from gripcourse.text.words import message
 
 
@@ -34,6 +35,7 @@ def exchanged_once(case: GradingCase, judged: Sequence[JudgedAnswer]) -> list[Ju
     now, taken = list(judged), set[str]()
     for one, other in _pairs(judged):
         ids = {one.quantity.id, other.quantity.id}
+<<<<<<< HEAD
         if not taken.isdisjoint(ids):
             continue
         meant = _as_meant(case, now, one, other)
@@ -43,6 +45,13 @@ def exchanged_once(case: GradingCase, judged: Sequence[JudgedAnswer]) -> list[Ju
                 other.quantity.id: _second(case, one, other),
             }
             now = [changed.get(answer.quantity.id, answer) for answer in meant]
+=======
+        meant = _as_meant(case, one, other) if taken.isdisjoint(ids) else None
+        if meant is not None:
+            pair = (_first(one, other), _second(case, one, other))
+            changed = {answer.quantity.id: answer for answer in pair}
+            now = [changed.get(answer.quantity.id, _again(meant, answer)) for answer in now]
+>>>>>>> belts
             taken |= ids
     return now
 
@@ -72,6 +81,7 @@ def _pairs(judged: Sequence[JudgedAnswer]) -> Iterator[tuple[JudgedAnswer, Judge
             yield one, other
 
 
+<<<<<<< HEAD
 def _as_meant(
     case: GradingCase, judged: Sequence[JudgedAnswer], one: JudgedAnswer, other: JudgedAnswer
 ) -> list[JudgedAnswer]:
@@ -101,6 +111,33 @@ def _as_meant(
 
 def _mistakes(judged: Sequence[JudgedAnswer]) -> int:
     return sum(one.judgement.outcome.traits.mistake for one in judged)
+=======
+def _as_meant(case: GradingCase, one: JudgedAnswer, other: JudgedAnswer) -> GradingCase | None:
+    """Return the case with two numbers in each other's cells; None where they are not right there.
+
+    Two answers of which one repeats the other would be wrong again.
+    """
+    if one.answer is None or other.answer is None:
+        return None
+    meant = {
+        one.quantity.id: _with_number_of(one.answer, other.answer),
+        other.quantity.id: _with_number_of(other.answer, one.answer),
+    }
+    after = with_answers(case, meant)
+    found = (judge_answer(after, each.quantity, meant[each.quantity.id]) for each in (one, other))
+    return after if all(each.judgement.outcome.traits.right for each in found) else None
+
+
+def _with_number_of(answer: Answer, other: Answer) -> Answer:
+    return replace(answer, value=other.value, half_unit=other.half_unit, figures=other.figures)
+
+
+def _again(meant: GradingCase, judged: JudgedAnswer) -> JudgedAnswer:
+    """Judge a mistake again by the numbers as they were meant."""
+    if not judged.judgement.outcome.traits.mistake:
+        return judged
+    return better(judged, judge_answer(meant, judged.quantity, judged.answer))
+>>>>>>> belts
 
 
 def _is_for(value: float, comparison: Comparison, other: str) -> bool:

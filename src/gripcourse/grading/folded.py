@@ -16,7 +16,7 @@ from operator import attrgetter
 from typing import Any, Final, Generic, TypeVar
 
 from gripcourse.grading.model import Finding, Report
-from gripcourse.machine.shelf import Place, Shelf, fetched
+from gripcourse.machine.shelf import Shelf, ShelfPlace, fetched
 
 _Value = TypeVar("_Value")
 
@@ -44,9 +44,9 @@ class Folded:
         derived: packed, what was derived from them, by name; empty for nothing.
     """
 
-    held: bytes | Place
+    held: bytes | ShelfPlace
     count: int
-    derived: bytes | Place = b""
+    derived: bytes | ShelfPlace = b""
 
     @property
     def packed(self) -> bytes:
@@ -111,16 +111,16 @@ class ReportShelf:
         values = (*plain[1 : _FINDINGS + 1], findings, *plain[_FINDINGS + 1 :])
         return Report(*values)
 
-    def _place(self, held: bytes | Place) -> tuple[int, int] | bytes:
+    def _place(self, held: bytes | ShelfPlace) -> tuple[int, int] | bytes:
         """Put bytes here, where they are not yet; on a full disk they stay with the report."""
-        if isinstance(held, Place) and held.shelf is self.shelf:
+        if isinstance(held, ShelfPlace) and held.shelf is self.shelf:
             return held.start, held.size
         data = fetched(held)
         place = self.shelf.put(data) if data else None
         return data if place is None else (place.start, place.size)
 
-    def _held(self, lies: tuple[int, int] | bytes) -> Place | bytes:
-        return lies if isinstance(lies, bytes) else Place(self.shelf, *lies)
+    def _held(self, lies: tuple[int, int] | bytes) -> ShelfPlace | bytes:
+        return lies if isinstance(lies, bytes) else ShelfPlace(self.shelf, *lies)
 
 
 _NAMES: Final = tuple(one.name for one in fields(Report))

@@ -8,7 +8,7 @@ import numpy as np
 
 from gripcourse.likeness.asked import Asked, Likest, either_likely, of_all
 from gripcourse.likeness.chance import CommonMistakes, chance_of, common_mistakes
-from gripcourse.likeness.matches import Matches, Met, Sought, in_order, met, same_as_typed
+from gripcourse.likeness.matches import Matches, Met, SoughtNumbers, in_order, met, same_as_typed
 from gripcourse.likeness.model import Evidence, NumberKind
 from gripcourse.likeness.odds import PairMatches, log_odds, rests_on
 from gripcourse.likeness.pool import PooledWorks
@@ -20,7 +20,7 @@ def same_answers(asked: Asked) -> Iterator[Evidence]:
     """Yield for each submission those in which the same numbers were typed beyond chance."""
     pooled, moved = asked.pooled, asked.chances.typed
 
-    def portions() -> Iterator[Sought]:
+    def portions() -> Iterator[SoughtNumbers]:
         return (
             same_as_typed(part.numbers, one).some(~part.explained)
             for part in pooled.parts()

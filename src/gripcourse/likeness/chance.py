@@ -7,14 +7,14 @@ from typing import Final
 import numpy as np
 
 from gripcourse.likeness.cells import Floats, Ints, SparseTable
-from gripcourse.likeness.matches import Met, Sought, density, met
+from gripcourse.likeness.matches import Met, SoughtNumbers, density, met
 from gripcourse.likeness.model import Chances
 from gripcourse.likeness.pool import ComparisonPool, PooledPart
 
 _SAME_RATIO: Final = 1e-3  # relative: as exactly as people type
 
 
-def chance_of(part: PooledPart, sought: Sought, share: Floats, chances: Chances) -> Floats:
+def chance_of(part: PooledPart, sought: SoughtNumbers, share: Floats, chances: Chances) -> Floats:
     """Return how likely each number meets a certain other one without copying.
 
     Args:
@@ -96,13 +96,13 @@ def common_mistakes(pooled: ComparisonPool, chances: Chances) -> CommonMistakes:
         chances: what counts as coincidence.
     """
 
-    def portions() -> Iterator[Sought]:
+    def portions() -> Iterator[SoughtNumbers]:
         return (_ratios(part)[1] for part in pooled.parts())
 
     return CommonMistakes(met(portions, (one.ratios for one in pooled.works)), chances)
 
 
-def _ratios(part: PooledPart) -> tuple[Ints, Sought]:
+def _ratios(part: PooledPart) -> tuple[Ints, SoughtNumbers]:
     """Return by how much the numbers that nothing explains are larger than the right ones.
 
     Returns:
@@ -112,4 +112,4 @@ def _ratios(part: PooledPart) -> tuple[Ints, Sought]:
         ratio = part.numbers.value / part.right
     which = np.flatnonzero(~part.explained & np.isfinite(ratio))
     reach = np.abs(ratio[which]) * _SAME_RATIO
-    return which, Sought(part.numbers.column[which], ratio[which], reach)
+    return which, SoughtNumbers(part.numbers.column[which], ratio[which], reach)

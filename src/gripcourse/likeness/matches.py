@@ -66,7 +66,7 @@ class OrderedValues:
 
 
 @dataclass(frozen=True, slots=True)
-class Sought:
+class SoughtNumbers:
     """Numbers that others may have too.
 
     Attributes:
@@ -84,9 +84,9 @@ class Sought:
         """Relative width in which each counts as the same."""
         return np.asarray(2 * (self.reach / np.abs(self.value)))
 
-    def some(self, which: Flags) -> "Sought":
+    def some(self, which: Flags) -> "SoughtNumbers":
         """Return some of them."""
-        return Sought(self.column[which], self.value[which], self.reach[which])
+        return SoughtNumbers(self.column[which], self.value[which], self.reach[which])
 
     def runs(self, others: OrderedValues) -> tuple[Ints, Ints]:
         """Return where the run of those that have the same begins in the order, and has ended."""
@@ -107,13 +107,13 @@ class Matches:
             that was not looked for.
     """
 
-    sought: Sought
+    sought: SoughtNumbers
     others: OrderedValues
     first: Ints
     after: Ints
 
     @classmethod
-    def of(cls, sought: Sought, which: Flags, others: OrderedValues) -> "Matches":
+    def of(cls, sought: SoughtNumbers, which: Flags, others: OrderedValues) -> "Matches":
         """Look for some of the numbers."""
         first, after = np.zeros((2, len(which)), dtype=np.intp)
         first[which], after[which] = sought.some(which).runs(others)
@@ -152,7 +152,7 @@ def in_order(values: SparseTable) -> OrderedValues:
     return OrderedValues(values, begins, order, known)
 
 
-def same_as_issued(numbers: ComparedNumbers, moved: float = _OWN_ROUNDING) -> Sought:
+def same_as_issued(numbers: ComparedNumbers, moved: float = _OWN_ROUNDING) -> SoughtNumbers:
     """Seek the variants whose right values numbers are.
 
     Args:
@@ -161,10 +161,10 @@ def same_as_issued(numbers: ComparedNumbers, moved: float = _OWN_ROUNDING) -> So
             that is more than one unit of its last digit.
     """
     reach = np.maximum(numbers.unit, moved * np.abs(numbers.value) + numbers.unit / 2)
-    return Sought(numbers.column, numbers.value, reach * (1 + _SAME))
+    return SoughtNumbers(numbers.column, numbers.value, reach * (1 + _SAME))
 
 
-def same_as_typed(numbers: ComparedNumbers, moved: float = 0.0) -> Sought:
+def same_as_typed(numbers: ComparedNumbers, moved: float = 0.0) -> SoughtNumbers:
     """Seek the submissions in which the same was typed, but for rounding; its own is among them.
 
     Args:
@@ -173,7 +173,7 @@ def same_as_typed(numbers: ComparedNumbers, moved: float = 0.0) -> Sought:
     """
     reach = np.maximum(numbers.unit / 2, _SAME * np.abs(numbers.value))
     reach += moved * np.abs(numbers.value)
-    return Sought(numbers.column, numbers.value, reach * (1 + _SAME))
+    return SoughtNumbers(numbers.column, numbers.value, reach * (1 + _SAME))
 
 
 @dataclass(frozen=True, slots=True)
@@ -188,7 +188,7 @@ class Met:
     same: tuple[Ints, ...]
     all: Ints
 
-    def share(self, portion: int, sought: Sought, but_for: int) -> Floats:
+    def share(self, portion: int, sought: SoughtNumbers, but_for: int) -> Floats:
         """Return the part of all owners that have the same numbers.
 
         Args:
@@ -200,7 +200,7 @@ class Met:
         return np.asarray(others / np.maximum(self.all[sought.column], 1))
 
 
-def met(portions: Callable[[], Iterator[Sought]], tables: Iterable[SparseTable]) -> Met:
+def met(portions: Callable[[], Iterator[SoughtNumbers]], tables: Iterable[SparseTable]) -> Met:
     """Count who has the same numbers.
 
     Args:

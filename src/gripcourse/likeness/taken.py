@@ -11,7 +11,7 @@ from gripcourse.likeness.matches import (
     Matches,
     Met,
     OrderedValues,
-    Sought,
+    SoughtNumbers,
     in_order,
     met,
     same_as_issued,
@@ -41,7 +41,7 @@ def taken_from_issued(asked: Asked) -> Iterator[TakenNumbers]:
     """Yield what submissions have in common with the right values of other students' variants."""
     pooled, moved = asked.pooled, asked.chances.moved
 
-    def portions() -> Iterator[Sought]:
+    def portions() -> Iterator[SoughtNumbers]:
         return (
             same_as_issued(part.numbers, one).some(~part.explained)
             for part in pooled.parts()

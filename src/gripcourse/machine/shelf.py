@@ -46,7 +46,7 @@ class Shelf:
         if self.file is not None:
             weakref.finalize(self, self.file.close)
 
-    def put(self, data: bytes) -> "Place | None":
+    def put(self, data: bytes) -> "ShelfPlace | None":
         """Put bytes here; None where there is no room."""
         if self.file is None:
             return None
@@ -56,7 +56,7 @@ class Shelf:
                 written = self.file.write(data)
         except OSError:
             return None
-        return Place(self, start, len(data)) if written == len(data) else None
+        return ShelfPlace(self, start, len(data)) if written == len(data) else None
 
     def read(self, start: int, size: int) -> bytes:
         """Return what lies at a place.
@@ -74,7 +74,7 @@ class Shelf:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Place:
+class ShelfPlace:
     """Where bytes lie on a shelf."""
 
     shelf: Shelf
@@ -82,7 +82,7 @@ class Place:
     size: int
 
 
-def fetched(held: bytes | Place) -> bytes:
+def fetched(held: bytes | ShelfPlace) -> bytes:
     """Return bytes, wherever they are."""
     return held if isinstance(held, bytes) else held.shelf.read(held.start, held.size)
 
