@@ -5,8 +5,6 @@ from collections.abc import Callable
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
-import pytest
-
 from gripcourse.course.quantity import Kind
 from gripcourse.submission.model import Answer
 
@@ -148,22 +146,11 @@ def test_after_a_mistake_two_cells_are_exchanged_by_ones_own_numbers(
     assert tried
 
 
-<<<<<<< HEAD
-@pytest.mark.parametrize(
-    "cells", [("torque_large", "driven_speed"), ("belt_speed", "peripheral_force")]
-)
-def test_what_follows_from_exchanged_numbers_as_they_were_meant_is_no_mistake(
-    flat_belt: "Case", cells: tuple[str, str]
-) -> None:
-    """After a wrong torque; P/v of a force typed for the speed is the very speed."""
-    first, second = cells
-=======
 def test_what_follows_from_exchanged_numbers_as_they_were_meant_is_no_mistake(
     flat_belt: "Case",
 ) -> None:
     """After a wrong torque; the shaft is computed with the torque that stands in the next cell."""
     first, second = "torque_large", "driven_speed"
->>>>>>> belts
     later = flat_belt.following(torque_small=1.31 * flat_belt.reference["torque_small"])
     answers = {**later, first: later[second], second: later[first]}
     lost = flat_belt.lost(answers)

@@ -35,83 +35,38 @@ def exchanged_once(case: GradingCase, judged: Sequence[JudgedAnswer]) -> list[Ju
     now, taken = list(judged), set[str]()
     for one, other in _pairs(judged):
         ids = {one.quantity.id, other.quantity.id}
-<<<<<<< HEAD
-        if not taken.isdisjoint(ids):
-            continue
-        meant = _as_meant(case, now, one, other)
-        if other.judgement.outcome.traits.mistake or _mistakes(meant) < _mistakes(now):
-            changed = {
-                one.quantity.id: _first(one, other),
-                other.quantity.id: _second(case, one, other),
-            }
-            now = [changed.get(answer.quantity.id, answer) for answer in meant]
-=======
         meant = _as_meant(case, one, other) if taken.isdisjoint(ids) else None
         if meant is not None:
             pair = (_first(one, other), _second(case, one, other))
             changed = {answer.quantity.id: answer for answer in pair}
             now = [changed.get(answer.quantity.id, _again(meant, answer)) for answer in now]
->>>>>>> belts
             taken |= ids
     return now
 
 
 def _pairs(judged: Sequence[JudgedAnswer]) -> Iterator[tuple[JudgedAnswer, JudgedAnswer]]:
-    """Yield a wrong answer and another one, each of which is what the other should be.
+    """Yield wrong answers each of which is what the other should be.
 
     They have one unit, or stand one below the other: nobody writes into a cell far away what has
-    another unit, and of two numbers that are wrong for other reasons few are each other's. The
-    other may follow from the wrong one, as a force does from a speed by their product.
+    another unit, and of two numbers that are wrong for other reasons few are each other's.
     """
-    computed = [
+    wrong = [
         (place, one, one.comparison)
         for place, one in enumerate(judged)
-        if one.quantity.kind is Kind.FORMULA and one.comparison is not None
+        if one.quantity.kind is Kind.FORMULA
+        and one.comparison is not None
+        and one.judgement.outcome.traits.mistake
     ]
-    for (place, one, here), (below, other, there) in combinations(computed, 2):
-        first, second = one.judgement.outcome.traits, other.judgement.outcome.traits
+    for (place, one, here), (below, other, there) in combinations(wrong, 2):
         is_next = below == place + 1 and one.quantity.section == other.quantity.section
         if (
-            first.mistake
-            and (second.mistake or second.follows)
-            and (is_next or one.quantity.unit == other.quantity.unit)
+            (is_next or one.quantity.unit == other.quantity.unit)
             and _is_for(here.value, there, one.quantity.id)
             and _is_for(there.value, here, other.quantity.id)
         ):
             yield one, other
 
 
-<<<<<<< HEAD
-def _as_meant(
-    case: GradingCase, judged: Sequence[JudgedAnswer], one: JudgedAnswer, other: JudgedAnswer
-) -> list[JudgedAnswer]:
-    """Judge the mistakes among the others again, with two numbers in each other's cells."""
-    pair = {one.quantity.id: other.answer, other.quantity.id: one.answer}
-    answers = {
-        name: replace(case.answers[name], value=answer.value, half_unit=answer.half_unit)
-        for name, answer in pair.items()
-        if answer is not None and name in case.answers
-    }
-    wrong = {
-        answer.quantity.id
-        for answer in judged
-        if answer.judgement.outcome.traits.mistake and answer.quantity.id not in pair
-    }
-    if not wrong:
-        return list(judged)
-    after = with_answers(case, answers)
-    again = [
-        judge_answer(after, answer.quantity, answer.answer)
-        if answer.quantity.id in wrong
-        else answer
-        for answer in judged
-    ]
-    return [better(*each) for each in zip(judged, again, strict=True)]
-
-
-def _mistakes(judged: Sequence[JudgedAnswer]) -> int:
-    return sum(one.judgement.outcome.traits.mistake for one in judged)
-=======
 def _as_meant(case: GradingCase, one: JudgedAnswer, other: JudgedAnswer) -> GradingCase | None:
     """Return the case with two numbers in each other's cells; None where they are not right there.
 
@@ -137,7 +92,6 @@ def _again(meant: GradingCase, judged: JudgedAnswer) -> JudgedAnswer:
     if not judged.judgement.outcome.traits.mistake:
         return judged
     return better(judged, judge_answer(meant, judged.quantity, judged.answer))
->>>>>>> belts
 
 
 def _is_for(value: float, comparison: Comparison, other: str) -> bool:
