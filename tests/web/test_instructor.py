@@ -139,6 +139,8 @@ def test_results_are_seen_from_publication_to_withdrawal(
     assert "&lt;b&gt;term&lt;/b&gt; over" in signed_in.get("/desk/").text
     page = student.get(home).text
     assert 'class="score"' in page
+    # What waits for a person has earned nothing yet, which is no zero.
+    assert re.search(r"кинематическая схема в масштабе</th><td[^>]*>… / \d", page)
     assert student.get(f"{home}report.pdf").content == b"%PDF report"
     assert b"s01" in signed_in.get("/desk/grades.csv").content
     wish = {"item": "grip_force", "sentence": "Please look at <this> again."}

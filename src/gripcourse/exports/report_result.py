@@ -51,6 +51,11 @@ class FindingResult:
     remarks: tuple[str, ...]
     decision: Decision | None = None
 
+    @property
+    def is_open(self) -> bool:
+        """Whether a person still has to decide about the item."""
+        return self.outcome.traits.waits and self.decision is None
+
 
 @dataclass(frozen=True, slots=True)
 class CauseResult:

@@ -194,7 +194,12 @@ def _results(published: ShownResult, titles: dict[str, str]) -> dict[str, object
         "open_points": report.open_points,
         "printed": published.pdf is not None,
         "items": [
-            (one.quantity, titles.get(one.quantity, one.quantity), one.points, one.max_points)
+            (
+                one.quantity,
+                titles.get(one.quantity, one.quantity),
+                None if one.is_open else one.points,
+                one.max_points,
+            )
             for one in report.findings
         ],
     }
