@@ -185,7 +185,10 @@ NOT_ONE_NUMBER = (
 
 # A letter may be a unit, a tolerance or a power of a unit, or it stands for nobody knows what.
 LETTERS_AND_DIGITS = (
-    *(text(typed, 12.0, "tolerance") for typed in ("12H7", "12Н13", "12 мм H7", "12ммH7/f7")),
+    *(
+        text(typed, 12.0, "tolerance")
+        for typed in ("12H7", "12Н13", "12 мм H7", "12ммH7/m6", "12d11")
+    ),
     text("12 Н (ок)", 12.0, UNKNOWN, FORCE),
     text("12мм2", 12.0, UNFIT, FORCE),
     *(text(typed, None, LETTER, FORCE) for typed in ("0b1", "1h30", "12Н13", "12 Н13", "4k7")),

@@ -21,11 +21,14 @@ from gripcourse.text.typed_forms import AMONG_DIGITS
 from gripcourse.text.units import UnitError, dimension, factor, read_unit, unit_text
 from gripcourse.text.words import LANGUAGES, Message, Texts, message
 
-# `H7`, `h6`, `H7/f7`: a tolerance of fit behind a size, or behind its unit. Powers of units, as m2,
-# have other letters. Letters of the other alphabet look the same: Н7.
+# `H7`, `h6`, `H7/m6`, `d11`: a tolerance of fit behind a size, or behind its unit. Units and their
+# powers, as m2, have other letters or lower powers. Letters of two alphabets look the same: Н7.
+_GRADE: Final = r"(?:1[0-8]|[1-9])"
+_COARSER: Final = r"(?:1[0-8]|[6-9])"
 _FIT: Final = re.compile(
-    r"(?P<unit>(?:мм|mm)?)\.?\s*(?:[HhEFfGgJjKknNPpRrSsНЕКРекнр]|js|JS)(?:1[0-8]|[1-9])"
-    r"(?:/[a-zA-ZНЕКРекнр]{1,2}(?:1[0-8]|[1-9]))?"
+    rf"(?P<unit>(?:мм|mm)?)\.?\s*"
+    rf"(?:(?:[HhEFfGgJjKknNPpRrSsНЕКРекнр]|js|JS){_GRADE}|[DMUdmuМм]{_COARSER})"
+    rf"(?:/(?:js|JS|[a-zA-ZАВСНЕКМРасекмнр]){_GRADE})?"
 )
 # `1h30`, `0b1`, `12Н13`: a letter among digits; no unit has such a power. `12 мм2` may be one.
 _AMONG_DIGITS: Final = re.compile(r"[^\W\d_]{1,3}(\d+)")
