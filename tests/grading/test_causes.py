@@ -232,3 +232,16 @@ def _shared_given(case: "Case") -> str | None:
         if len(users) > 1 and not given.integer and case.given[given.id] > 0:
             return given.id
     return None
+
+
+def test_a_given_number_left_out_of_two_sums_costs_once(
+    drawn: "tuple[Case, ...]", typed: Typed
+) -> None:
+    """Whoever forgets the travel that frees the object forgets it in the open position too."""
+    names = ("jaw_travel", "grip_arm_tilt_open")
+    levers = [one for one in drawn if one.plan.scheme.id == "plain_lever"]
+    assert levers
+    for case in levers:
+        forgotten = case.following(release_travel=0.0)
+        off = {name: typed(name, forgotten[name], 5) for name in names}
+        assert case.lost({**forgotten, **off}) == {names[0]}, case.label
