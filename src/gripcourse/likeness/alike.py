@@ -6,7 +6,7 @@ from itertools import chain, repeat
 
 import numpy as np
 
-from gripcourse.likeness.asked import Asked, Likest, either_likely, of_all
+from gripcourse.likeness.asked import AskedNumbers, Likest, either_likely, of_all
 from gripcourse.likeness.chance import CommonMistakes, chance_of, common_mistakes
 from gripcourse.likeness.matches import Matches, Met, SoughtNumbers, in_order, met, same_as_typed
 from gripcourse.likeness.model import Evidence, NumberKind
@@ -16,7 +16,7 @@ from gripcourse.likeness.pool import PooledWorks
 _BOTH = 2  # of those who typed the same: the one whom a number is about, and the other of a pair
 
 
-def same_answers(asked: Asked) -> Iterator[Evidence]:
+def same_answers(asked: AskedNumbers) -> Iterator[Evidence]:
     """Yield for each submission those in which the same numbers were typed beyond chance."""
     pooled, moved = asked.pooled, asked.chances.typed
 
@@ -42,7 +42,7 @@ def same_answers(asked: Asked) -> Iterator[Evidence]:
 
 
 def _compared_with_typed(
-    asked: Asked, works: PooledWorks, counted: Met, mistakes: CommonMistakes
+    asked: AskedNumbers, works: PooledWorks, counted: Met, mistakes: CommonMistakes
 ) -> Iterator[tuple[PairMatches, ...]]:
     """Compare submissions with what was typed in those of a table: exactly, and moved a little."""
     others, right, ways = in_order(works.typed), works.of_right, asked.chances.typed
@@ -59,7 +59,7 @@ def _compared_with_typed(
 
 
 def _keep_alike(
-    asked: Asked, compared: Sequence[PairMatches], first: int, found: dict[int, list[Likest]]
+    asked: AskedNumbers, compared: Sequence[PairMatches], first: int, found: dict[int, list[Likest]]
 ) -> None:
     """Keep the submissions of a table that are like others beyond chance.
 

@@ -16,7 +16,7 @@ _LARGEST = 700.0  # logarithm of the largest odds that are told
 
 
 @dataclass(frozen=True, slots=True)
-class Asked:
+class AskedNumbers:
     """What is asked of the numbers of a cohort.
 
     Attributes:
@@ -67,7 +67,7 @@ class Likest:
     rests_on: tuple[str, ...] = ()
 
 
-def either_likely(asked: Asked, compared: Sequence[PairMatches]) -> Ints:
+def either_likely(asked: AskedNumbers, compared: Sequence[PairMatches]) -> Ints:
     """Return the pairs whose odds may be told after any of the comparisons."""
     found = [likely_pairs(one, asked.least, asked.answers) for one in compared]
     return np.asarray(np.unique(np.concatenate(found)))

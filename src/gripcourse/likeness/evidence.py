@@ -11,7 +11,7 @@ from collections.abc import Container, Iterable, Iterator
 from dataclasses import dataclass, field, replace
 
 from gripcourse.likeness.alike import same_answers
-from gripcourse.likeness.asked import Asked
+from gripcourse.likeness.asked import AskedNumbers
 from gripcourse.likeness.issued import IssuedValues
 from gripcourse.likeness.model import Chances, ComparedWork, Evidence, NumberKind
 from gripcourse.likeness.pool import pool
@@ -50,7 +50,7 @@ def find_evidence(
     creators = tuple(same_creators(authors, rule))
     if rule.odds == 0 or not pooled.students:
         return creators
-    asked = Asked(pooled, rule, chances or Chances())
+    asked = AskedNumbers(pooled, rule, chances or Chances())
     taken = tuple(taken_from_issued(asked))
     pairs = {(one.student, owner) for one in taken for owner in one.owners}
     variants = [asked.evidence(NumberKind.OTHER_VARIANT, one.student, one.best) for one in taken]

@@ -5,7 +5,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from gripcourse.likeness.asked import Asked, Likest, either_likely, of_all
+from gripcourse.likeness.asked import AskedNumbers, Likest, either_likely, of_all
 from gripcourse.likeness.chance import chance_of
 from gripcourse.likeness.matches import (
     Matches,
@@ -37,7 +37,7 @@ class TakenNumbers:
     owners: list[str] = field(default_factory=list)
 
 
-def taken_from_issued(asked: Asked) -> Iterator[TakenNumbers]:
+def taken_from_issued(asked: AskedNumbers) -> Iterator[TakenNumbers]:
     """Yield what submissions have in common with the right values of other students' variants."""
     pooled, moved = asked.pooled, asked.chances.moved
 
@@ -61,7 +61,7 @@ def taken_from_issued(asked: Asked) -> Iterator[TakenNumbers]:
 
 
 def _compared_with_issued(
-    asked: Asked, part: PooledPart, others: OrderedValues, counted: Met, portion: int
+    asked: AskedNumbers, part: PooledPart, others: OrderedValues, counted: Met, portion: int
 ) -> tuple[PairMatches, ...]:
     """Compare submissions with the right values of a table: exactly, and moved a little."""
     unknown, compared = ~part.explained, list[PairMatches]()
@@ -74,7 +74,7 @@ def _compared_with_issued(
 
 
 def _keep_taken(
-    asked: Asked,
+    asked: AskedNumbers,
     part: PooledPart,
     compared: Sequence[PairMatches],
     first: int,
