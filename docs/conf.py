@@ -42,7 +42,7 @@ _READ_BY_ALL = {
 # narrow as a word. The index breaks its long names instead.
 _STYLE = (
     "<style>@media (max-width: 46em) {"
-    " .table-wrapper td:nth-child(2), .table-wrapper td:last-child { min-width: 9em } }"
+    " td:nth-child(2), td:last-child { min-width: 9em } }"
     " .indextable { table-layout: fixed; overflow-wrap: anywhere }</style>"
 )
 

@@ -38,7 +38,7 @@ def test_a_table_or_figure_that_is_told_by_number_is_told_with_its_work(course: 
 
 
 def test_the_table_of_crossed_cylinders_gives_what_its_formula_gives(course: Course) -> None:
-    table = course.catalogues["crossed_contact"].columns
+    table = course.catalogues["crossed_factor"].columns
     ratios = np.linspace(table["ratio"][0], 1, 500)
     read = np.interp(ratios, table["ratio"], table["factor"])
     assert np.allclose(read, crossed_cylinders(ratios), rtol=0.015)
