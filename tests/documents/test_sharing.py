@@ -143,9 +143,11 @@ def test_another_weasyprint_shares_nothing(monkeypatch: pytest.MonkeyPatch) -> N
     own = inline.split_first_line
     with switch.shared_between_documents(object()):
         assert inline.split_first_line is own
-    for other in ({"weasyprint": "0"}, {"no-such-package": "1"}):
-        monkeypatch.setattr(switch, "_VERSIONS", other)
-        assert not switch.digest_of_sources()
+
+
+def test_a_weasyprint_without_what_was_read_is_not_known(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(switch, "_SOURCES", ("no_such_file.py",))
+    assert not switch.digest_of_sources()
 
 
 class _Noted(dict[str, Any]):
