@@ -53,6 +53,7 @@ u { text-decoration: underline overline; text-underline-offset: 20% }
 .flex { display: flex }
 .small { font-size: .7em }
 .narrow { width: 1cm; overflow-wrap: anywhere }
+.half { width: 50%; padding: 3% 0 }
 a::after { content: " (" target-counter(attr(href), page) ")" }
 b::before { content: "*"; -weasy-anchor: "star" }
 table { border-collapse: collapse; padding: 3px } td { border: 1px solid; border-left-width: 3px }
@@ -67,7 +68,8 @@ shy\N{SOFT HYPHEN}ness and AV\N{SUPERSCRIPT TWO}.</p>
 <p class="clamped">One two three four five six
 seven eight nine ten eleven twelve thirteen fourteen fifteen</p><pre class="far">a\tb  c
 d</pre><div class="grid"><span>AV</span><span>AV <b class="small">AV</b></span></div>
-<div class="flex"><span>x</span><p>y</p></div><p class="narrow">unbreakable</p>
+<div class="half">In a line of its own
+<div class="half">In a line of its own</div></div><div class="flex"><span>x</span><p>y</p></div><p class="narrow">unbreakable</p>
 <p>\N{TAGBANWA LETTER A} \N{LINEAR B SYLLABLE B008 A} \N{ZERO WIDTH JOINER}</p>
 <ul style="color: red"><li>one<li style="width: 20%">two</ul><a href="#top">top</a>
 <table><tr><td>1<td rowspan=2 style="border: 2px dashed">2<tr><td>3</table>
