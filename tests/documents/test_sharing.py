@@ -69,7 +69,8 @@ shy\N{SOFT HYPHEN}ness and AV\N{SUPERSCRIPT TWO}.</p>
 seven eight nine ten eleven twelve thirteen fourteen fifteen</p><pre class="far">a\tb  c
 d</pre><div class="grid"><span>AV</span><span>AV <b class="small">AV</b></span></div>
 <div class="half">In a line of its own
-<div class="half">In a line of its own</div></div><div class="flex"><span>x</span><p>y</p></div><p class="narrow">unbreakable</p>
+<div class="half">In a line of its own</div></div>
+<div class="flex"><span>x</span><p>y</p></div><p class="narrow">unbreakable</p>
 <p>\N{TAGBANWA LETTER A} \N{LINEAR B SYLLABLE B008 A} \N{ZERO WIDTH JOINER}</p>
 <ul style="color: red"><li>one<li style="width: 20%">two</ul><a href="#top">top</a>
 <table><tr><td>1<td rowspan=2 style="border: 2px dashed">2<tr><td>3</table>
