@@ -53,6 +53,7 @@ u { text-decoration: underline overline; text-underline-offset: 20% }
 .flex { display: flex }
 .small { font-size: .7em }
 .narrow { width: 1cm; overflow-wrap: anywhere }
+.half { width: 50%; padding: 3% 0 }
 a::after { content: " (" target-counter(attr(href), page) ")" }
 b::before { content: "*"; -weasy-anchor: "star" }
 table { border-collapse: collapse; padding: 3px } td { border: 1px solid; border-left-width: 3px }
@@ -67,6 +68,8 @@ shy\N{SOFT HYPHEN}ness and AV\N{SUPERSCRIPT TWO}.</p>
 <p class="clamped">One two three four five six
 seven eight nine ten eleven twelve thirteen fourteen fifteen</p><pre class="far">a\tb  c
 d</pre><div class="grid"><span>AV</span><span>AV <b class="small">AV</b></span></div>
+<div class="half">In a line of its own
+<div class="half">In a line of its own</div></div>
 <div class="flex"><span>x</span><p>y</p></div><p class="narrow">unbreakable</p>
 <p>\N{TAGBANWA LETTER A} \N{LINEAR B SYLLABLE B008 A} \N{ZERO WIDTH JOINER}</p>
 <ul style="color: red"><li>one<li style="width: 20%">two</ul><a href="#top">top</a>
@@ -143,9 +146,11 @@ def test_another_weasyprint_shares_nothing(monkeypatch: pytest.MonkeyPatch) -> N
     own = inline.split_first_line
     with switch.shared_between_documents(object()):
         assert inline.split_first_line is own
-    for other in ({"weasyprint": "0"}, {"no-such-package": "1"}):
-        monkeypatch.setattr(switch, "_VERSIONS", other)
-        assert not switch.digest_of_sources()
+
+
+def test_a_weasyprint_without_what_was_read_is_not_known(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(switch, "_SOURCES", ("no_such_file.py",))
+    assert not switch.digest_of_sources()
 
 
 class _Noted(dict[str, Any]):
