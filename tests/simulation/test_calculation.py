@@ -5,13 +5,15 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from gripcourse.course.model import Course
 from gripcourse.course.quantity import Kind
 from gripcourse.policy.model import Policy
 from gripcourse.simulation.arithmetic import Hand
-from gripcourse.simulation.calculation import Calculation, Deviation, calculate
+from gripcourse.simulation.calculation import Calculation, Deviation, by_formula, calculate
 from gripcourse.simulation.model import ActionKind
+from gripcourse.simulation.places import Effect, effect, make_ground
 from gripcourse.slips.candidates import candidates_of
-from gripcourse.solver.plan import Plan
+from gripcourse.solver.plan import Plan, make_plan
 from gripcourse.solver.solve import solve_variant
 
 
@@ -126,3 +128,22 @@ def test_many_variants_are_computed_at_once(plan: Plan, given: dict[str, float])
         for name, step in both.steps.items():
             many = np.broadcast_to(step.typed, (2,))
             assert float(many[number]) == float(alone.steps[name].typed), name
+
+
+def test_what_another_honest_reading_gives_is_told_from_nothing_right(
+    course: Course, policy: Policy
+) -> None:
+    """The moment at the hub instead of at the sector: no place for a slip that comes to it."""
+    example = course.schemes["worm_sector"].example
+    assert example is not None
+    plan = make_plan(course, "worm_sector", example.options)
+    given = {one.id: float(example.given[one.id]) for one in plan.givens}
+    ground = make_ground(plan, policy, lambda _: (), hand(), given, 2.0)
+    done = calculate(plan, given, hand(), {})
+    [other] = plan.quantities["lever_bending_moment"].alternatives
+    name, step = "lever_bending_moment", done.steps["lever_bending_moment"]
+    read = by_formula(plan, plan.quantities[name], other.formula, done.values, hand())
+    for value, seen in ((read, Effect.HIDDEN), (1.1 * read, Effect.APART)):
+        typed_so = replace(done, steps={**done.steps, name: replace(step, typed=value)})
+        assert effect(ground, name, typed_so) is seen
+    assert float(read) > 1.05 * float(step.right)

@@ -139,10 +139,10 @@ def _right_values(ground: Ground, quantity: Quantity, done: Calculation) -> Iter
     scale = factor(quantity.unit)
     yield float(done.steps[quantity.id].right)
     yield float(ground.reference[quantity.id]) / scale
-    for printed in quantity.as_printed:
-        if printed.formula is not None:
-            yield _value(ground, quantity, printed.formula, done.values)
-            yield _value(ground, quantity, printed.formula, ground.reference)
+    for other in (*quantity.as_printed, *quantity.alternatives):
+        if other.formula is not None:
+            yield _value(ground, quantity, other.formula, done.values)
+            yield _value(ground, quantity, other.formula, ground.reference)
 
 
 def _value(ground: Ground, quantity: Quantity, formula: Formula, values: Values) -> float:
