@@ -66,24 +66,21 @@ class _Crew:
 
     Attributes:
         pool: kind of workers.
-        name, task: what they do.
+        name, packed: the task.
         send: returns what travels of an item.
         together: how many jobs one message may bring.
     """
 
     pool: Pool
     name: str
-    task: Task
+    packed: bytes
     send: Callable[[Any], Any]
     together: int
 
     def open(self, workers: int) -> Executing:
         """Open an executor whose workers know the task."""
-        if not self.pool.apart:
-            return self.pool.open(workers, _nothing, ())
-        # Packed anew for each: what all jobs need is large, and others are opened where workers died.
-        first = (self.name, pickle.dumps(self.task), self.pool.limits)
-        return self.pool.open(workers, install, first)
+        first = (self.name, self.packed, self.pool.limits)
+        return self.pool.open(workers, install if self.pool.apart else _nothing, first)
 
 
 def _as_it_is(item: Item) -> Item:
@@ -128,11 +125,11 @@ def run_each(  # noqa: PLR0913 (the last ones are what nearly everybody leaves a
     name = uuid.uuid4().hex
     if not pool.apart:
         with known(name, task):
-            yield from _each(items, _Crew(pool, name, task, _as_it_is, 1), workers, [])
+            yield from _each(items, _Crew(pool, name, b"", _as_it_is, 1), workers, [])
         return
     stay: list[int] = []
     travels = _as_it_is if pool.shares_disk else send
-    crew = _Crew(pool, name, task, travels, together)
+    crew = _Crew(pool, name, pickle.dumps(task), travels, together)
     yield from _each(items, crew, workers, stay)
     if stay:
         here = run_each(work, [items[one] for one in stay], shared, workers=1, seconds=seconds)
