@@ -139,10 +139,10 @@ def _right_values(ground: Ground, quantity: Quantity, done: Calculation) -> Iter
     scale = factor(quantity.unit)
     yield float(done.steps[quantity.id].right)
     yield float(ground.reference[quantity.id]) / scale
-    for other in (*quantity.as_printed, *quantity.alternatives):
-        if other.formula is not None:
-            yield _value(ground, quantity, other.formula, done.values)
-            yield _value(ground, quantity, other.formula, ground.reference)
+    printed = [one.formula for one in quantity.as_printed if one.formula is not None]
+    for formula in (*printed, *(one.formula for one in quantity.alternatives)):
+        yield _value(ground, quantity, formula, done.values)
+        yield _value(ground, quantity, formula, ground.reference)
 
 
 def _value(ground: Ground, quantity: Quantity, formula: Formula, values: Values) -> float:
