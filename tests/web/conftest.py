@@ -24,6 +24,7 @@ from gripcourse.usecases.grading.grade import REPORTS
 from gripcourse.usecases.issuing.handout import Handout, IssuingContext, sheet_path, workbook_path
 from gripcourse.usecases.issuing.issue import issue_order
 from gripcourse.usecases.marks.gradebook import keep
+from gripcourse.usecases.publishing.publish import current, withdraw
 from gripcourse.usecases.serving.desk import DeskContext
 from gripcourse.usecases.serving.hand_in import collect_hand_ins
 from gripcourse.usecases.serving.links import token_of
@@ -122,10 +123,14 @@ def minutes() -> Iterator[int]:
 def server(opened: Server, minutes: Iterator[int]) -> Iterator[Server]:
     """The same server on its first day, a minute later for each test.
 
-    Else all would hand in at once, which is more than one student may do.
+    Else all would hand in at once, which is more than one student may do. What a test publishes is
+    withdrawn behind it.
     """
     opened.clock.now = BEGAN + timedelta(minutes=next(minutes))
+    was_published = current(opened.context)
     yield opened
+    if current(opened.context) and not was_published:
+        withdraw(opened.context, "Dr. Ноль", "", opened.clock.now)
     opened.clock.now = BEGAN
 
 

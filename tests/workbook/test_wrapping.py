@@ -12,7 +12,7 @@ from gripcourse.text.words import LANGUAGES
 from gripcourse.workbook.wrapping import lines_taken
 
 # Of the widths of Arial, of which office programs make the columns: a digit is 7 dots wide.
-FONT = Path("/usr/share/fonts/truetype/liberation2/LiberationSans-Regular.ttf")
+FONT = Path("/usr/share/fonts/truetype/liberation/LiberationSans-Regular.ttf")
 DOTS, DIGIT, EDGES = 10 * 96 / 72, 7, 9
 
 

@@ -55,6 +55,7 @@ CASES = [
 ]
 
 
+@pytest.mark.usefixtures("server")
 @pytest.mark.parametrize(("operation", "mode"), CASES)
 def test_every_answer_is_as_described(
     described: Described, operation: ApiOperation, mode: str
