@@ -10,6 +10,7 @@ import typer
 
 from gripcourse.cli import grading_text
 from gripcourse.cli import text as cli_text
+from gripcourse.cli.foreseen import GRADING, REPORTS, foresee
 from gripcourse.cli.help import SpokenCommand
 from gripcourse.cli.loudness import confirm, is_quiet
 from gripcourse.cli.options import (
@@ -152,6 +153,9 @@ class _Manner:
 
 def _grade_anew(begun: "Beginning", order: _Order, manner: _Manner) -> bool:
     """Grade what an earlier run did not, and say all; tell whether something needs a person."""
+    wanted = GRADING if order.grades_only else (*GRADING, *REPORTS)
+    foresee(wanted, manner.workers, manner.cluster)
+
     from gripcourse.machine.files import make_private_folder
     from gripcourse.machine.jobs.cluster import open_workers
     from gripcourse.usecases.grading import grade as command

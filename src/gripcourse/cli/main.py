@@ -30,6 +30,7 @@ from gripcourse.cli import simulation
 from gripcourse.cli import text as cli_text
 from gripcourse.cli import trace as cli_trace
 from gripcourse.cli import variants as cli_variants
+from gripcourse.cli.foreseen import HANDOUTS, foresee
 from gripcourse.cli.help import SpokenCommand, command_group
 from gripcourse.cli.loudness import confirm, is_verbose, prepare_streams
 from gripcourse.cli.options import (
@@ -183,6 +184,8 @@ def issue(  # noqa: PLR0913 (one parameter per option)
     language: LanguageOption = None,
 ) -> None:
     """Issue an assignment to everybody on the roster: a sheet and an answer workbook each."""
+    foresee(HANDOUTS, workers)
+
     from gripcourse.course.load import load_course
     from gripcourse.machine.files import expect_file
     from gripcourse.policy.load import load_policy

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from gripcourse.cli import text as cli_text
+from gripcourse.cli.foreseen import HANDOUTS, foresee
 from gripcourse.cli.help import SpokenCommand
 from gripcourse.cli.loudness import confirm
 from gripcourse.cli.options import (
@@ -63,6 +64,8 @@ def reissue(  # noqa: PLR0913 (one parameter per option)
     language: LanguageOption = None,
 ) -> None:
     """Issue a new version of assignments; what was handed out stays, and works on it count."""
+    foresee(HANDOUTS, workers)
+
     from gripcourse.course.load import load_course
     from gripcourse.issuing.reissue import Correction
     from gripcourse.policy.load import load_policy

@@ -88,7 +88,7 @@ def fetched(held: bytes | ShelfPlace) -> bytes:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class _Lying:
+class Lying:
     """Where values lie on a shelf.
 
     Attributes:
@@ -103,13 +103,13 @@ class _Lying:
     held: dict[int, bytes]
 
     @classmethod
-    def of(cls, shelf: Shelf, count: int) -> "_Lying":
+    def of(cls, shelf: Shelf, count: int) -> "Lying":
         """Make room for so many values."""
         return cls(shelf, array("q", [_HERE]) * count, array("q", [0]) * count, {})
 
-    def copied(self) -> "_Lying":
+    def copied(self) -> "Lying":
         """Return the same, to be changed."""
-        return _Lying(self.shelf, self.starts[:], self.sizes[:], dict(self.held))
+        return Lying(self.shelf, self.starts[:], self.sizes[:], dict(self.held))
 
     def put(self, number: int, data: bytes) -> None:
         """Put the bytes of a value on the shelf."""
@@ -126,14 +126,14 @@ class _Lying:
 
     def __reduce__(
         self,
-    ) -> "tuple[Callable[[array[int], bytes], _Lying], tuple[array[int], bytes]]":
+    ) -> "tuple[Callable[[array[int], bytes], Lying], tuple[array[int], bytes]]":
         # Another process has no part in the shelf: the bytes travel, and get one there.
         every = [self.get(number) for number in range(len(self.starts))]
         return _lying_there, (array("q", map(len, every)), b"".join(every))
 
 
-def _lying_there(sizes: "array[int]", whole: bytes) -> _Lying:
-    found, start = _Lying.of(Shelf(), len(sizes)), 0
+def _lying_there(sizes: "array[int]", whole: bytes) -> Lying:
+    found, start = Lying.of(Shelf(), len(sizes)), 0
     for number, size in enumerate(sizes):
         found.put(number, whole[start : start + size])
         start += size
@@ -155,7 +155,7 @@ class Shelved(Sequence[_Value], Generic[_Value]):
         *,
         dump: Callable[[_Value], bytes] = pickle.dumps,
         load: Callable[[bytes], Any] = pickle.loads,
-        lying: _Lying | None = None,
+        lying: Lying | None = None,
     ) -> None:
         """Put values on a shelf.
 
@@ -165,7 +165,7 @@ class Shelved(Sequence[_Value], Generic[_Value]):
             load: makes the value of its bytes.
             lying: values that are there already, before these; None for none.
         """
-        self._lying = _Lying.of(Shelf(), 0) if lying is None else lying
+        self._lying = Lying.of(Shelf(), 0) if lying is None else lying
         self._dump, self._load = dump, load
         for number, value in enumerate(values, start=len(self)):
             self._lying.starts.append(_HERE)
@@ -174,13 +174,13 @@ class Shelved(Sequence[_Value], Generic[_Value]):
 
     def filled(self, count: int, pairs: Iterable[tuple[int, _Value]]) -> "Shelved[_Value]":
         """Return so many values, kept as these are, that come in any order with their places."""
-        return self._with(_Lying.of(self._lying.shelf, count), pairs)
+        return self._with(Lying.of(self._lying.shelf, count), pairs)
 
     def with_changes(self, pairs: Iterable[tuple[int, _Value]]) -> "Shelved[_Value]":
         """Return the same values but for some, which come with their places."""
         return self._with(self._lying.copied(), pairs)
 
-    def _with(self, lying: _Lying, pairs: Iterable[tuple[int, _Value]]) -> "Shelved[_Value]":
+    def _with(self, lying: Lying, pairs: Iterable[tuple[int, _Value]]) -> "Shelved[_Value]":
         for number, value in pairs:
             lying.put(number, self._dump(value))
         return Shelved(dump=self._dump, load=self._load, lying=lying)

@@ -6,6 +6,7 @@ import resource
 import signal
 import sys
 import time
+from collections.abc import Sequence
 from pathlib import Path
 
 from gripcourse.batch.one_file import GradingContext, grade_file
@@ -14,6 +15,7 @@ from gripcourse.machine.content import Readable
 from gripcourse.machine.jobs.limits import Limits
 from gripcourse.machine.jobs.warm import do_apart
 from gripcourse.machine.jobs.workers import in_order, run_each
+from gripcourse.machine.shelf import Shelved
 from gripcourse.usecases.grading.student_reports import Printing, student_pdf
 
 
@@ -161,3 +163,9 @@ if __name__ == "__main__":
         do_apart(report_and_sleep, place, None, limits=Limits(), seconds=60)
     else:
         in_order(run_each(report_and_sleep, [place, place], None, workers=2, seconds=60))
+
+
+def put_more(item: int, shelved: Sequence[int]) -> tuple[int, ...]:
+    """Return what lies on a shelf, with something more that this worker puts there."""
+    assert isinstance(shelved, Shelved)
+    return tuple(shelved.with_changes([(0, item)]))

@@ -6,9 +6,7 @@ who has jobs to do has to know.
 """
 
 import os
-import pickle
 import sys
-import weakref
 from collections.abc import Callable
 from concurrent.futures import (
     BrokenExecutor,
@@ -20,11 +18,10 @@ from concurrent.futures import (
 from dataclasses import dataclass
 from multiprocessing import get_context
 from multiprocessing.context import BaseContext
-from multiprocessing.shared_memory import SharedMemory
 from typing import Any, Final, Protocol, TypeAlias
 
-from gripcourse.machine.file_limits import demand_file_of
 from gripcourse.machine.jobs.limits import Limits, keep_within, limits_of_system
+from gripcourse.machine.jobs.parcel import Packed, PackedBytes, packed_for_workers
 from gripcourse.machine.jobs.room import demand_room
 
 Initializer: TypeAlias = Callable[..., None]
@@ -65,29 +62,40 @@ class Pool:
     limits: Limits | None
     shares_disk: bool = True
 
+    def packed(self, value: object) -> Packed:
+        """Pack what all jobs need, as it travels to these workers.
+
+        Raises:
+            OSError: the system has no room for it.
+        """
+        return packed_for_workers(value) if self.shares_disk else PackedBytes.of(value)
+
 
 def _processes(workers: int, first: Initializer, arguments: tuple[Any, ...]) -> Executor:
     demand_room()
     most = _MOST_ON_WINDOWS if sys.platform == "win32" else workers
-    # What a worker is started with goes through a pipe that nobody empties if it ends too early:
-    # more than fits in there would be waited for in vain.
-    packed = pickle.dumps((dict(os.environ), limits_of_system(), first, arguments))
-    demand_file_of(len(packed))
-    memory = SharedMemory(create=True, size=len(packed))
-    _content(memory)[: len(packed)] = packed
-    executor = ProcessPoolExecutor(
-        min(workers, most), _context(), _begin, (memory.name, len(packed))
-    )
-    weakref.finalize(executor, _give_back, memory)
-    return executor
+    packed = packed_for_workers((dict(os.environ), limits_of_system()))
+    return ProcessPoolExecutor(min(workers, most), _context(), _begin, (packed, first, arguments))
 
 
-def _context() -> BaseContext:
+def foresee_processes(*modules: str) -> None:
+    """Let what workers will be forks of begin while this process is still getting ready.
+
+    It takes half a second of another processor; where workers are no forks nothing happens.
+
+    Args:
+        modules: of this program, by their full names, that workers will need; with these come all
+            that they import.
+    """
+    _context(*modules)
+
+
+def _context(*modules: str) -> BaseContext:
     """Return how workers are started: as fresh interpreters, or from one on Linux.
 
     A fork of this process would copy the threads of a progress bar in an unknown state. On Linux
-    workers are forks of a fresh interpreter that has no threads, and has imported what this process
-    has by then: half a second less for each worker.
+    workers are forks of a fresh interpreter that has no threads, and has imported some modules and
+    what this process has by then: half a second less for each worker.
     """
     if sys.platform != "linux":
         return get_context("spawn")
@@ -95,7 +103,8 @@ def _context() -> BaseContext:
 
     context = get_context("forkserver")
     ours = __name__.partition(".")[0]
-    context.set_forkserver_preload([one for one in sys.modules if one.partition(".")[0] == ours])
+    imported = [one for one in sys.modules if one.partition(".")[0] == ours]
+    context.set_forkserver_preload([*modules, *imported])
     try:
         ensure_running()
     except OSError:  # it needs a place for temporary files, whose path is not too long
@@ -103,29 +112,14 @@ def _context() -> BaseContext:
     return context
 
 
-def _begin(name: str, size: int) -> None:
-    """Fetch what a worker does first, in the worker, and do it."""
-    memory = SharedMemory(name)
-    packed = bytes(_content(memory)[:size])
-    memory.close()
-    environment, allowed, first, arguments = pickle.loads(packed)  # noqa: S301 (packed by who started this)
+def _begin(packed: Packed, first: Initializer, arguments: tuple[Any, ...]) -> None:
+    """Take over what this process has, in the worker, and do what it does first."""
+    environment, allowed = packed.unpacked()
     # What it is a fork of may have been started in another one, and with other limits.
     keep_within(allowed)
     os.environ.clear()
     os.environ.update(environment)
     first(*arguments)
-
-
-def _content(memory: SharedMemory) -> memoryview:
-    content = memory.buf
-    if content is None:
-        raise ValueError(memory.name)  # it was closed
-    return content
-
-
-def _give_back(memory: SharedMemory) -> None:
-    memory.close()
-    memory.unlink()
 
 
 def _threads(workers: int, first: Initializer, arguments: tuple[Any, ...]) -> Executor:

@@ -4,7 +4,6 @@ A batch opens its workers and lets them go; a server would let every visitor wai
 that first unpacks the course.
 """
 
-import pickle
 import threading
 import uuid
 from collections.abc import Callable
@@ -82,7 +81,7 @@ class StandingWorkers:
     def _executor(self, pool: Pool) -> Executing:
         with self._lock:
             if self._opened is None:
-                first = (self._name, pickle.dumps(self.task), pool.limits)
+                first = (self._name, pool.packed(self.task), pool.limits)
                 self._opened = pool.open(self.workers, install, first)
             return self._opened
 

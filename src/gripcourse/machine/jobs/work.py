@@ -9,6 +9,7 @@ from typing import Any, TypeAlias
 
 from gripcourse.machine.jobs.limits import Limits, TookTooLongError, bind_worker, time_limit
 from gripcourse.machine.jobs.lost import Lost
+from gripcourse.machine.jobs.parcel import Packed
 from gripcourse.machine.process_wide import collect_rarely
 
 
@@ -36,14 +37,14 @@ _Known: TypeAlias = dict[str, Task | Lost]
 _KNOWN: _Known = {}
 
 
-def install(name: str, packed: bytes, limits: Limits | None) -> None:
+def install(name: str, packed: Packed, limits: Limits | None) -> None:
     """Make a worker ready: bound it and unpack the task; what fails is said by each job."""
     try:
         # What jobs share and what is made of it once live as long as the worker.
         collect_rarely()
         if limits is not None:
             bind_worker(limits)
-        _KNOWN[name] = pickle.loads(packed)  # noqa: S301 (packed by the program that started this)
+        _KNOWN[name] = packed.unpacked()
     except (Exception, SystemExit):  # noqa: BLE001 (a worker that cannot start comes again and again)
         _KNOWN[name] = Lost(traceback.format_exc())
 
@@ -66,7 +67,7 @@ def perform(name: str, item: object) -> Any | Lost:  # noqa: ANN401 (whatever th
 
 def perform_all(name: str, packed: tuple[bytes, ...]) -> tuple[Any | Lost, ...]:
     """Do several jobs of a task, each with its own bounds; their items come packed."""
-    return tuple(perform(name, pickle.loads(one)) for one in packed)  # noqa: S301 (as above)
+    return tuple(perform(name, pickle.loads(one)) for one in packed)  # noqa: S301 (packed by the program that started this)
 
 
 def do(task: Task, item: object) -> Any | Lost:  # noqa: ANN401 (as above)

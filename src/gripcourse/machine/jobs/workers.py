@@ -14,6 +14,7 @@ from typing import Any, TypeAlias, TypeVar
 
 from gripcourse.machine.jobs.child import DIED
 from gripcourse.machine.jobs.lost import JobLostError, Lost
+from gripcourse.machine.jobs.parcel import Packed
 from gripcourse.machine.jobs.pools import NOT_STARTED, PROCESSES, Executing, Pool
 from gripcourse.machine.jobs.work import Task, do, install, known, perform, perform_all
 
@@ -66,14 +67,14 @@ class _Crew:
 
     Attributes:
         pool: kind of workers.
-        name, packed: the task.
+        name, packed: the task; None where workers know what this process knows.
         send: returns what travels of an item.
         together: how many jobs one message may bring.
     """
 
     pool: Pool
     name: str
-    packed: bytes
+    packed: Packed | None
     send: Callable[[Any], Any]
     together: int
 
@@ -125,11 +126,11 @@ def run_each(  # noqa: PLR0913 (the last ones are what nearly everybody leaves a
     name = uuid.uuid4().hex
     if not pool.apart:
         with known(name, task):
-            yield from _each(items, _Crew(pool, name, b"", _as_it_is, 1), workers, [])
+            yield from _each(items, _Crew(pool, name, None, _as_it_is, 1), workers, [])
         return
     stay: list[int] = []
     travels = _as_it_is if pool.shares_disk else send
-    crew = _Crew(pool, name, pickle.dumps(task), travels, together)
+    crew = _Crew(pool, name, pool.packed(task), travels, together)
     yield from _each(items, crew, workers, stay)
     if stay:
         here = run_each(work, [items[one] for one in stay], shared, workers=1, seconds=seconds)
