@@ -515,7 +515,7 @@ def test_a_drawing_from_waiting_to_marked(gripcourse: Command, term: Term, tmp_p
     marked = gripcourse(*order, *lines, "--comment", "Нет масштаба")
     assert marked.code == cli.DONE
     assert "(s01), general view drawing (general_view_drawing): " in marked.out
-    assert "just so already" in gripcourse(*order, *lines, "--comment", "Нет масштаба").out
+    assert "already the same" in gripcourse(*order, *lines, "--comment", "Нет масштаба").out
 
     again = gripcourse("grade", *place, own, "--out", graded, "--json")
     assert again.code == cli.DONE

@@ -271,8 +271,8 @@ def marking_text(marking: "Marking", context: "GradingContext", words: Words) ->
         lines.append(
             words.say(
                 counted(
-                    "{count} mark was just so already.",
-                    "{count} marks were just so already.",
+                    "{count} mark was already the same.",
+                    "{count} marks were already the same.",
                     marking.unchanged,
                 )
             )

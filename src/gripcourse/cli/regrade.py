@@ -144,7 +144,7 @@ def publish(
     course: CourseOption = None,
     language: LanguageOption = None,
 ) -> None:
-    """Keep that students are told their results: from now on only a regrade changes them."""
+    """Record that students know their results: from now on only a regrade changes them."""
     from gripcourse.gradebook.journal import Signed
     from gripcourse.usecases.marks import regrade as command
 
@@ -163,11 +163,11 @@ def waive(  # noqa: PLR0913 (one parameter per option)
         typer.Option(
             "--until",
             metavar="time",
-            help="Until when it costs nothing; default: ever.",
+            help="Until when it costs nothing; default: for good.",
         ),
     ] = None,
     withdraw: Annotated[
-        bool, typer.Option("--withdraw", help="Let the student's waivers count no longer.")
+        bool, typer.Option("--withdraw", help="Withdraw the student's waivers.")
     ] = False,
     why: WhyOption = "",
     by: ByOption = None,

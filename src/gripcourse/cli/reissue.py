@@ -62,7 +62,7 @@ def reissue(  # noqa: PLR0913 (one parameter per option)
     course: CourseOption = None,
     language: LanguageOption = None,
 ) -> None:
-    """Issue a new version of assignments; what was handed out stays, and works on it count."""
+    """Issue a new version of assignments; what was handed out before stays valid."""
     from gripcourse.course.load import load_course
     from gripcourse.issuing.reissue import Correction
     from gripcourse.policy.load import load_policy

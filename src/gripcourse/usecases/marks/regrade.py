@@ -177,7 +177,7 @@ def undo_regrade(place: str, signed: Signed) -> Regrade:
 
 
 def publish(place: str, students: Iterable[str], signed: Signed) -> tuple[Published, ...]:
-    """Keep that students are told their results: from now on only a regrade changes them.
+    """Record that students know their results: from now on only a regrade changes them.
 
     Args:
         place: of the gradebook.
