@@ -102,7 +102,7 @@ class TestLevels:
         ("share = 0.4", 'share = "most"', "line[1].share", ("wrong type", "a number")),
         ('id = "sizes"', "", "line[1].id", ("This key is missing.", "Write '")),
         ('id = "sizes"', 'id = "Размеры"', "line[1].id", ("is no id", "lower-case Latin letters")),
-        ('id = "sizes"', 'id = "points"', "line[1].id", ("column of the table", "otherwise")),
+        ('id = "sizes"', 'id = "points"', "line[1].id", ("column of the table", "another name")),
         ('id = "assembly"', 'id = "sizes"', "line[2].id", ("Two lines have the id", "of its own")),
         ("share = 0.4", "shar = 0.4\nshare = 0.4", "line[1].shar", ("means nothing", "'share'?")),
         (', uk = "Креслення загального вигляду"', "", "title.uk", ("missing", "en, ru, uk")),

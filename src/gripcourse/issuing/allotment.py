@@ -8,6 +8,7 @@ from typing import Final
 from gripcourse.errors import Problem, TableError
 from gripcourse.issuing.register import Register
 from gripcourse.issuing.signature import sign
+from gripcourse.text.shown import first_of
 from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.words import Message, counted, message
 from gripcourse.variants.model import Issued, Student, Variant
@@ -175,7 +176,7 @@ def named_as_issued(
     said = message(
         "The table lacks the leading zeros of variants that were issued, as after a spreadsheet"
         " program; they are taken for these: {pairs}.",
-        pairs=", ".join(pairs[:_NAMED]) + (", …" if len(pairs) > _NAMED else ""),
+        pairs=first_of(pairs, _NAMED),
     )
     return tuple(replace(one, id=renamed.get(one.id, one.id)) for one in variants), (said,)
 
