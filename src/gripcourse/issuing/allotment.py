@@ -228,9 +228,7 @@ def _notes(
                                  " {fixed} now.", student=name, variant=id_,
                                  fixed=student.variant))  # fmt: skip
         if deadline is not None and entry.deadline != deadline:
-            before = entry.deadline.isoformat() if entry.deadline else "—"
-            notes.append(message("{student} keeps the deadline {deadline}.", student=name,
-                                 deadline=before))  # fmt: skip
+            notes.append(_kept_deadline(name, entry.deadline))
     if absent:
         notes.append(
             counted(
@@ -240,3 +238,16 @@ def _notes(
             )
         )
     return tuple(notes)
+
+
+def _kept_deadline(student: str, deadline: date | None) -> Message:
+    """Say that issuing again gave nobody another deadline."""
+    if deadline is None:
+        return message(
+            "{student} was issued without a deadline and still has none. Write one into"
+            " variants/deadlines.csv, which counts before what was issued.",
+            student=student,
+        )
+    return message(
+        "{student} keeps the deadline {deadline}.", student=student, deadline=deadline.isoformat()
+    )
