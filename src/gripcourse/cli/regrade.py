@@ -2,7 +2,6 @@
 
 import getpass
 from contextlib import suppress
-from dataclasses import replace
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
@@ -73,10 +72,7 @@ def regrade(  # noqa: PLR0913 (one parameter per option)
     from gripcourse.usecases.grading.unchanged import open_earlier
     from gripcourse.usecases.grading.versions import versions_of
     from gripcourse.usecases.marks import regrade as command
-    from gripcourse.usecases.marks.gradebook import with_kept_versions
-    from gripcourse.usecases.marks.mark import existing_gradebook
     from gripcourse.usecases.marks.opening import open_grading
-    from gripcourse.usecases.marks.whose import read_whose
 
     words = words_for(language)
     direction = regrade_text.chosen_direction(only)
@@ -89,11 +85,8 @@ def regrade(  # noqa: PLR0913 (one parameter per option)
     root = course_folder(course)
     versions = versions_of(root)
     context = open_grading(root)
-    decided = read_whose(whose or (), files, context.register)
-    context = replace(context, whose=decided, either_version=either_version)
     place, now = gradebook_place(gradebook, context.course.root), datetime.now(UTC)
-    existing_gradebook(place)
-    context = with_kept_versions(context, place)
+    context = command.as_decided(context, files, place, whose or (), either_version=either_version)
     earlier = None
     # Whoever may not write there looks, too, but pays for every look.
     with suppress(OSError):
