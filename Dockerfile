@@ -2,7 +2,7 @@
 # at /course.
 #
 #   docker build --tag gripcourse .
-#   docker run --rm --user "$(id -u)" --volume "$PWD:/course" gripcourse validate
+#   docker run --rm --user "$(id -u):$(id -g)" --volume "$PWD:/course" gripcourse validate
 
 FROM python:3.11-slim-bookworm AS wheel
 WORKDIR /source
@@ -17,7 +17,7 @@ RUN /usr/local/bin/system-packages run \
 COPY constraints.txt /tmp/constraints.txt
 COPY --from=wheel /wheels /tmp/wheels
 RUN wheel=$(echo /tmp/wheels/*.whl) \
- && pip install --no-cache-dir --constraint /tmp/constraints.txt "$wheel[web,lti,postgresql]" \
+ && pip install --no-cache-dir --constraint /tmp/constraints.txt "$wheel[web,cluster,lti,postgresql]" \
  && rm -rf /tmp/wheels /tmp/constraints.txt \
  && useradd --create-home teacher
 USER teacher

@@ -54,6 +54,11 @@ def test_everything_that_a_wheel_is_made_of_is_let_into_the_image() -> None:
     assert not let_in("variants/private/key")
 
 
+def test_the_image_serves_every_extra() -> None:
+    (extras,) = re.findall(r"\$wheel\[([\w,]+)\]", text_of("Dockerfile"))
+    assert set(extras.split(",")) == set(project()["project"]["optional-dependencies"])
+
+
 def test_the_image_has_the_packages_of_the_one_list() -> None:
     said = text_of("Dockerfile")
     assert "system-packages run" in said

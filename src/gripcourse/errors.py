@@ -45,14 +45,14 @@ class NextStep(StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class Problem:
-    """One thing that somebody has to mend.
+    """One thing that somebody has to correct.
 
     Attributes:
         file: the file it is in, as the user would type it.
         key: where in the file: a key as it is written there, `quantity.mass.formula`, or a place
             that has no name there, `row 7, column mass`, as a message; or empty.
         what: what is wrong.
-        remedy: how to mend it.
+        remedy: how to correct it.
         excerpt: lines to show under the sentence, for example a formula with a caret.
         parameter: name of the library's parameter that was called with something unusable; a front
             end shows what it calls it. Empty for none.
@@ -152,7 +152,7 @@ def memory_problem() -> Problem:
 
 
 class GripcourseError(Exception):
-    """Something that the author of a course or the user of a command can mend."""
+    """Something that the author of a course or the user of a command can correct."""
 
     def __init__(self, problems: Iterable[Problem]) -> None:
         self.problems = tuple(problems)

@@ -13,6 +13,7 @@ import pytest
 
 from gripcourse.api.results import SolutionResult
 from gripcourse.cli import main as cli
+from gripcourse.cli.options import NEEDS_PERSON
 from gripcourse.machine.database.home import gradebook_path
 from support.command_line import Run, call
 from support.pages import no_pages
@@ -194,7 +195,7 @@ class TestHappyPaths:
         twin = ",".join(["twin", *first.split(",")[1:]])
         table.write_text("\n".join([head, first, *rest, twin]) + "\n", encoding="utf-8")
         doubled = gripcourse(*audit)
-        assert doubled.code == cli.NEEDS_PERSON
+        assert doubled.code == NEEDS_PERSON
         assert "Too near to another variant: 2." in doubled.out
 
     def test_an_imported_table_is_counted(self, gripcourse: Command, tmp_path: Path) -> None:
@@ -473,7 +474,7 @@ def test_a_course_from_issue_to_grades(gripcourse: Command, term: Term, tmp_path
     other = tmp_path / "s02.xlsx"
     other.write_bytes(story.own.read_bytes())
     looked_at = gripcourse("grade", *story.place, other, "--out", tmp_path / "graded")
-    assert looked_at.code == cli.NEEDS_PERSON
+    assert looked_at.code == NEEDS_PERSON
     assert "who handed this in?" in looked_at.out
     assert "Traceback" not in looked_at.out + looked_at.err
 
@@ -506,7 +507,7 @@ def test_a_drawing_from_waiting_to_marked(gripcourse: Command, term: Term, tmp_p
     graded = tmp_path / "graded"
 
     listed = gripcourse("mark", "--list", "--course", course)
-    assert listed.code == cli.NEEDS_PERSON
+    assert listed.code == NEEDS_PERSON
     assert all(part in listed.out for part in ("s01", "general_view_drawing", "s01.xlsx"))
 
     order = ("mark", "s01", "general_view_drawing", "--course", course, "--by", "Петров")
@@ -515,7 +516,7 @@ def test_a_drawing_from_waiting_to_marked(gripcourse: Command, term: Term, tmp_p
     marked = gripcourse(*order, *lines, "--comment", "Нет масштаба")
     assert marked.code == cli.DONE
     assert "(s01), general view drawing (general_view_drawing): " in marked.out
-    assert "just so already" in gripcourse(*order, *lines, "--comment", "Нет масштаба").out
+    assert "already the same" in gripcourse(*order, *lines, "--comment", "Нет масштаба").out
 
     again = gripcourse("grade", *place, own, "--out", graded, "--json")
     assert again.code == cli.DONE
@@ -545,7 +546,7 @@ def test_a_regrade_from_showing_to_undoing(gripcourse: Command, term: Term, tmp_
     text = policy.read_text(encoding="utf-8")
     policy.write_text(text.replace("kinematic_diagram = 4", "kinematic_diagram = 5"), "utf-8")
     shown = gripcourse("regrade", *files)
-    assert shown.code == cli.NEEDS_PERSON
+    assert shown.code == NEEDS_PERSON
     assert all(
         one in shown.out for one in ("s01", "the policy", "(kinematic_diagram): ", "1 unchanged")
     )

@@ -103,14 +103,18 @@ def test_a_name_that_is_missed_in_three_places_and_more_is_told_once_with_all_of
 
 
 @pytest.mark.parametrize(
-    ("language", "student", "item"),
-    [("en", "<student>", "<item>"), ("ru", "<студент>", "<пункт>"), ("uk", "<студент>", "<пункт>")],
+    ("language", "student", "item", "folder"),
+    [
+        ("en", "<student>", "<item>", "<folder>"),
+        ("ru", "<студент>", "<пункт>", "<папка>"),
+        ("uk", "<студент>", "<пункт>", "<папка>"),
+    ],
 )
 def test_what_has_no_option_is_called_as_the_help_calls_it(
-    language: str, student: str, item: str
+    language: str, student: str, item: str, folder: str
 ) -> None:
     words = Words(language)
-    for parameter, called in (("student", student), ("quantity", item)):
+    for parameter, called in (("student", student), ("quantity", item), ("graded", folder)):
         problem = Problem("", "", message("Name one."), message(""), parameter=parameter)
         assert spoken(problem, words).startswith(f"{called}: ")
 

@@ -22,7 +22,9 @@ from gripcourse.solver.plan import make_plan
 from gripcourse.solver.solve import solve_variant
 from gripcourse.text.words import LANGUAGES, Words
 from gripcourse.usecases.authoring.samples import samples
-from gripcourse.usecases.authoring.validate import all_problems
+from gripcourse.usecases.authoring.validate import validated
+from gripcourse.variants.audit import audit
+from gripcourse.variants.space import load_spaces
 from gripcourse.variants.table import read_table
 from gripcourse.workbook.write import answer_workbook
 from support.pages import LAYOUT, SIGNATURE
@@ -79,7 +81,7 @@ def demo(tmp_path_factory: pytest.TempPathFactory) -> Demo:
 
 
 def test_it_has_no_problems() -> None:
-    assert all_problems(ROOT) == []
+    assert validated(ROOT).problems == []
 
 
 def test_what_it_prints_and_declares_holds(belts: Course, belts_policy: Policy) -> None:
@@ -87,6 +89,15 @@ def test_what_it_prints_and_declares_holds(belts: Course, belts_policy: Policy) 
     assert {one.proof.kind for one in results} == set(QUICK)
     assert [problem for one in results for problem in one.problems] == []
     assert {one.verdict for one in results} == {Verdict.HOLDS}
+
+
+def test_its_issued_table_keeps_the_rules_that_drawing_keeps(
+    belts: Course, belts_policy: Policy
+) -> None:
+    table = read_table(ROOT / "variants" / "tables" / "main.csv", belts)
+    found = audit(belts, belts_policy, table, load_spaces(belts))
+    assert [one.variant.id for one in found.variants if not one.passed] == []
+    assert found.passed
 
 
 def test_verdicts_of_its_table_come_out_either_way(belts: Course) -> None:

@@ -160,6 +160,14 @@ def test_a_variant_fixed_too_late_and_another_deadline_are_noted() -> None:
     ]
 
 
+def test_who_has_no_deadline_gets_none_by_issuing_again() -> None:
+    first = extend(EMPTY, [student("a")], table(3), Terms(KEY, DAY, None))
+    later = extend(first.register, [student("a")], table(3), Terms(KEY, DAY, date(2027, 1, 1)))
+    assert [entry.deadline for entry in later.register.entries] == [None]
+    (note,) = later.notes
+    assert str(note).startswith("a was issued without a deadline and still has none.")
+
+
 def test_too_few_variants_are_counted() -> None:
     students = [student(id_) for id_ in "abcde"]
     needed = r"need a variant: 5; variants that are free: 3; missing: 2"

@@ -84,7 +84,7 @@ def test_a_changed_number_is_refused_with_its_student_and_a_remedy(tmp_path: Pat
 
 
 def test_another_key_is_not_a_changed_register() -> None:
-    with pytest.raises(RegisterError, match="it is another one") as caught:
+    with pytest.raises(RegisterError, match="it is another key") as caught:
         verified(REGISTER, KEY[::-1], "private")
     assert len(caught.value.problems) == 1
 

@@ -51,7 +51,7 @@ def refusal(register: Register, wanted: Correction, terms: Terms = LATER) -> lis
     return [str(one.what) for one in caught.value.problems]
 
 
-def test_a_row_that_lost_its_noughts_is_issued_anew_under_its_name(before: Register) -> None:
+def test_a_row_that_lost_its_leading_zeros_is_issued_anew_under_its_name(before: Register) -> None:
     saved = [replace(one, id=one.id.lstrip("0")) for one in CORRECTED]
     extended = reissue(before, correction(), saved, LATER)
     assert extended.register.by_student()["anna"].variant == CORRECTED[0]

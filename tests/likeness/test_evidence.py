@@ -12,7 +12,7 @@ from gripcourse.likeness.cells import SparseTable
 from gripcourse.likeness.evidence import find_evidence
 from gripcourse.likeness.issued import IssuedValues
 from gripcourse.likeness.model import ComparedWork, Evidence, NumberKind
-from gripcourse.likeness.typed_numbers import Typed, TypedNumbers, none_typed
+from gripcourse.likeness.typed_numbers import Typed, TypedNumbers
 from gripcourse.policy.model import LikenessRule
 
 if TYPE_CHECKING:
@@ -256,7 +256,10 @@ def test_a_policy_can_switch_the_search_off() -> None:
 
 
 def signed(*creators: str) -> list[ComparedWork]:
-    return [ComparedWork(f"s{number}", none_typed(), name) for number, name in enumerate(creators)]
+    return [
+        ComparedWork(f"s{number}", TypedNumbers("", b"", b"", {}), name)
+        for number, name in enumerate(creators)
+    ]
 
 
 def test_a_few_workbooks_with_one_author_are_told() -> None:

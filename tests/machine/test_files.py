@@ -11,6 +11,7 @@ import pytest
 from gripcourse.machine.files import (
     discard_all_unfinished,
     discard_unfinished,
+    making,
     replacing,
     write_bytes,
     write_text,
@@ -59,6 +60,13 @@ def test_a_block_that_wrote_nothing_is_an_error_and_keeps_the_old_file(tmp_path:
     with pytest.raises(FileNotFoundError), replacing(target):
         pass
     assert target.read_text(encoding="utf-8") == "old"
+
+
+def test_what_fails_is_said_of_the_file_that_was_asked_for(tmp_path: Path) -> None:
+    target = tmp_path / "missing" / "term.zip"
+    with pytest.raises(FileNotFoundError) as failed, making(target) as temporary:
+        temporary.write_bytes(b"")
+    assert failed.value.filename == str(target)
 
 
 def test_the_temporary_name_keeps_the_suffix(tmp_path: Path) -> None:

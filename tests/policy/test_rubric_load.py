@@ -10,7 +10,7 @@ from gripcourse.course.quantity import Kind
 from gripcourse.policy.model import Policy
 from gripcourse.policy.rubric import Level
 from gripcourse.text.words import LANGUAGES
-from gripcourse.usecases.authoring.validate import all_problems
+from gripcourse.usecases.authoring.validate import validated
 
 if TYPE_CHECKING:
     from support.drafts import Draft
@@ -101,8 +101,8 @@ class TestLevels:
         ("share = 0.4", "", "line[1].share", ("This key is missing.", "Write '")),
         ("share = 0.4", 'share = "most"', "line[1].share", ("wrong type", "a number")),
         ('id = "sizes"', "", "line[1].id", ("This key is missing.", "Write '")),
-        ('id = "sizes"', 'id = "Размеры"', "line[1].id", ("is no id", "small Latin letters")),
-        ('id = "sizes"', 'id = "points"', "line[1].id", ("column of the table", "otherwise")),
+        ('id = "sizes"', 'id = "Размеры"', "line[1].id", ("is no id", "lower-case Latin letters")),
+        ('id = "sizes"', 'id = "points"', "line[1].id", ("column of the table", "another name")),
         ('id = "assembly"', 'id = "sizes"', "line[2].id", ("Two lines have the id", "of its own")),
         ("share = 0.4", "shar = 0.4\nshare = 0.4", "line[1].shar", ("means nothing", "'share'?")),
         (', uk = "Креслення загального вигляду"', "", "title.uk", ("missing", "en, ru, uk")),
@@ -127,7 +127,7 @@ def test_a_fault_of_a_rubric_is_told_with_file_and_key(
 def test_a_rubric_without_lines_is_refused_by_validate(draft: "Draft", lines: str) -> None:
     title = 'title = { en = "Drawing", ru = "Чертёж", uk = "Креслення" }'
     draft.put(RUBRIC, f"{title}\n{lines}".encode())
-    (problem,) = (one for one in all_problems(draft.root) if one.file == RUBRIC)
+    (problem,) = (one for one in validated(draft.root).problems if one.file == RUBRIC)
     assert (problem.file, problem.key) == (RUBRIC, "line")
     assert str(problem.what) == "The rubric has no lines."
     assert "[[line]]" in str(problem.remedy)

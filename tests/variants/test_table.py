@@ -188,7 +188,7 @@ def test_a_doubled_variant_names_both_rows(tmp_path: Path, small_course: Course)
 
 
 @pytest.mark.parametrize(("first", "second"), [("1", "001"), ("01", "1"), ("0", "000")])
-def test_names_that_differ_in_noughts_alone_are_refused(
+def test_names_that_differ_in_leading_zeros_alone_are_refused(
     tmp_path: Path, small_course: Course, first: str, second: str
 ) -> None:
     table = write(tmp_path, HEADER, row(variant=first), row(variant=second))

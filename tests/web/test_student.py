@@ -64,8 +64,9 @@ def test_the_link_that_is_printed_on_a_sheet_opens_its_owners_page_until_it_ends
         return dict(printed)
 
     assert set(issue(addressed, 0).values()) == {""}
-    with pytest.raises(UsageError):
+    with pytest.raises(UsageError) as refused:
         issue(course, 30)
+    assert [one.parameter for one in refused.value.problems] == ["link_days"]
     links = issue(addressed, 30)
     assert links == issue(addressed, 30)
     client = server.client()

@@ -137,7 +137,7 @@ def check_result(checked: "CheckedWorkbook", words: Words) -> CheckResult:
 
 
 def refused_check(problems: Iterable[Problem], words: Words) -> CheckResult:
-    """Say why a file cannot be checked: that is its sender's to mend, and no exception."""
+    """Say why a file cannot be checked: that is for its sender to correct, and no exception."""
     said = (f"{words.say(one.what)} {words.say(one.remedy)}" for one in problems)
     return CheckResult(" ".join(said), (), ())
 

@@ -11,7 +11,7 @@ _Made = TypeVar("_Made")
 
 
 def refusals_said(call: Callable[_Given, _Made]) -> Callable[_Given, _Made]:
-    """Let a call of the library raise nothing of the system that its caller can mend."""
+    """Let a call of the library raise nothing of the system that its caller can correct."""
 
     @wraps(call)
     def calling(*given: _Given.args, **named: _Given.kwargs) -> _Made:

@@ -2,7 +2,6 @@
 
 from collections.abc import Callable, Iterable, Mapping
 from contextlib import suppress
-from dataclasses import replace
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -54,21 +53,16 @@ def regrade(  # noqa: PLR0913 (the last ones are what everybody leaves as they a
     Raises:
         GripcourseError: the gradebook or the register cannot be used.
     """
-    from gripcourse.usecases.marks.gradebook import with_kept_versions
-    from gripcourse.usecases.marks.mark import existing_gradebook
     from gripcourse.usecases.marks.opening import grading_of
+    from gripcourse.usecases.marks.regrade import as_decided
     from gripcourse.usecases.marks.regrade import regrade as ask
-    from gripcourse.usecases.marks.whose import read_whose
 
     workers = whole_number("workers", workers, 0)
     sources, _ = workbooks(files)
     context = grading_of(course.definition, course.policy)
     pairs = [f"{file}={student}" for file, student in (whose or {}).items()]
-    decided = read_whose(pairs, sources, context.register)
-    context = replace(context, whose=decided, either_version=either_version)
     place = place_of(gradebook)
-    existing_gradebook(place)
-    context = with_kept_versions(context, place)
+    context = as_decided(context, sources, place, pairs, either_version=either_version)
     kept = _earlier(course, context, workers)
     return ask(sources, context, place, workers, datetime.now(UTC), on_done, kept=kept)
 
@@ -134,7 +128,7 @@ def undo_regrade(gradebook: str | Path, *, by: str, why: str) -> "Regrade":
 def publish(
     gradebook: str | Path, *, by: str, students: Iterable[str] = ()
 ) -> "tuple[Published, ...]":
-    """Keep that students are told their results: from now on only a regrade changes them.
+    """Record that students know their results: from now on only a regrade changes them.
 
     Raises:
         GripcourseError: of a student nothing has been graded.

@@ -99,13 +99,13 @@ class SolutionResult:
 
 @dataclass(frozen=True, slots=True)
 class ProblemResult:
-    """One thing that somebody has to mend.
+    """One thing that somebody has to correct.
 
     Attributes:
         file: where it is; empty for nowhere in a file.
         key: where in the file.
         what: what is wrong.
-        remedy: how to mend it.
+        remedy: how to correct it.
         excerpt: lines to show below, for example a formula with a caret.
         parameter: name of the parameter that a call cannot use; empty for none.
         step: what of this program mends it; null for nothing.

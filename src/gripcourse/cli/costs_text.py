@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 def paying_text(found: "Paying", words: Words) -> str:
-    """Return tables of what mistakes cost, main results first, and the rules to be mended."""
+    """Return tables of what mistakes cost, main results first, and the rules to be corrected."""
     lines: list[str] = []
     if found.costs:
         said = message("Points that a mistake in a main result costs over the issued table:")

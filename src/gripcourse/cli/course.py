@@ -58,7 +58,7 @@ def validate(
         found = validated(root, thorough=prove, processes=PROCESSORS)
         problems, notes = found.problems, list(found.notes)
         if problems and not found.computed:
-            late = message("What depends on the following is tried once it is mended:")
+            late = message("What depends on the following is tried once that is corrected:")
             typer.echo(words.say(late), err=True)
     if problems:
         raise GripcourseError(problems)
@@ -117,9 +117,7 @@ def init(
     ] = False,
     templates: Annotated[
         bool,
-        typer.Option(
-            "--templates", help="With the program's templates too, for who changes the look."
-        ),
+        typer.Option("--templates", help="Copy the program's templates too, to change the look."),
     ] = False,
     language: LanguageOption = None,
 ) -> None:
@@ -144,12 +142,12 @@ def init(
 def renew(
     *,
     apply: Annotated[
-        bool, typer.Option("--apply", help="Write it, with a copy of each file beside it.")
+        bool, typer.Option("--apply", help="Rewrite them, with a copy of each file beside it.")
     ] = False,
     course: CourseOption = None,
     language: LanguageOption = None,
 ) -> None:
-    """Show what a course of an earlier version calls otherwise than today; write it if asked."""
+    """Show which names in a course of an earlier version have changed; rewrite them if asked."""
     from gripcourse.usecases.authoring.renew import renewals, write_renewals
 
     words, root = words_for(language), course_folder(course)
@@ -167,7 +165,7 @@ def renew(
         typer.echo(words.say(said), err=True)
     if not found.files:
         if not found.by_hand:
-            confirm(words.say(message("Nothing of the course is called otherwise now.")))
+            confirm(words.say(message("No name in the course has changed.")))
     elif apply:
         for path in write_renewals(root, found.files):
             confirm(words.say(message("Kept as it was: {file}", file=str(path))))

@@ -31,7 +31,9 @@ app = typer.Typer()
 
 AddressOption = Annotated[
     str,
-    typer.Option("--address", help="Of the server, as browsers reach it; default: the course's."),
+    typer.Option(
+        "--address", help="Address of the server, as browsers reach it; default: the course's."
+    ),
 ]
 
 
@@ -105,7 +107,7 @@ def links(  # noqa: PLR0913 (one parameter per option)
     ] = 180,
     revoke: Annotated[
         str | None,
-        typer.Option("--revoke", metavar="student", help="Let this student's links end first."),
+        typer.Option("--revoke", metavar="student", help="End this student's earlier links first."),
     ] = None,
     by: ByOption = None,
     course: CourseOption = None,

@@ -10,7 +10,7 @@ from gripcourse.cli import times_text
 from gripcourse.cli.table_layout import table_text
 from gripcourse.grading.flag_code import FlagCode
 from gripcourse.machine.shelf import Shelved
-from gripcourse.text.shown import one_line
+from gripcourse.text.shown import first_of, one_line
 from gripcourse.text.words import Words, counted, message
 
 # `gripcourse --help` needs nothing of what is graded.
@@ -219,11 +219,10 @@ def _passed_over(outcome: "GradingOutcome", words: Words) -> Iterator[str]:
 def _missing(students: Sequence["Student"], words: Words) -> Iterator[str]:
     """Say who has handed nothing in; `grades.csv` has a row for each."""
     if students:
-        more = ", …" if len(students) > _NAMED else ""
         said = message(
             "Nothing handed in ({count}): {names}.",
             count=len(students),
-            names=", ".join(one_line(one.name) or one.id for one in students[:_NAMED]) + more,
+            names=first_of([one_line(one.name) or one.id for one in students], _NAMED),
         )
         yield words.say(said)
 
@@ -271,8 +270,8 @@ def marking_text(marking: "Marking", context: "GradingContext", words: Words) ->
         lines.append(
             words.say(
                 counted(
-                    "{count} mark was just so already.",
-                    "{count} marks were just so already.",
+                    "{count} mark was already the same.",
+                    "{count} marks were already the same.",
                     marking.unchanged,
                 )
             )

@@ -27,8 +27,8 @@ WIDTH = 100
 
 # The library that parses makes these two itself.
 _COMPLETION = {
-    "--install-completion": message("Let the shell complete what is typed."),
-    "--show-completion": message("Show what makes the shell complete what is typed."),
+    "--install-completion": message("Install the completion of commands for this shell."),
+    "--show-completion": message("Print the completion script, to copy or change it."),
 }
 
 

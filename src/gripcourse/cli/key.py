@@ -5,7 +5,7 @@ from gripcourse.cli.loudness import confirm
 from gripcourse.cli.options import CourseOption, LanguageOption, course_folder, words_for
 from gripcourse.text.words import message
 
-app = command_group("The key of the signatures.")
+app = command_group("The key that signs what is issued.")
 
 
 @app.command("rotate", cls=SpokenCommand)

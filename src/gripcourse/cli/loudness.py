@@ -21,10 +21,10 @@ _LARGEST_MODULE = 4_000_000  # bytes, more than any compiled module has
 _FLAGS = {"--quiet": "q", "--verbose": "v"}
 
 QuietOption = Annotated[
-    bool, typer.Option("--quiet", "-q", help="Say nothing but results that were asked for.")
+    bool, typer.Option("--quiet", "-q", help="Print only the results that were asked for.")
 ]
 VerboseOption = Annotated[
-    bool, typer.Option("--verbose", "-v", help="Say on the error stream what is going on.")
+    bool, typer.Option("--verbose", "-v", help="Report on the error stream what is going on.")
 ]
 
 

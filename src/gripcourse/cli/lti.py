@@ -84,10 +84,10 @@ def card(
 def register(  # noqa: PLR0913 (one parameter per option)
     name: Annotated[str, typer.Argument(metavar="name", help="What it is called here.")],
     *,
-    client_id: Annotated[str, typer.Option("--client-id", help="What the platform calls us.")],
+    client_id: Annotated[str, typer.Option("--client-id", help="Our client ID on the platform.")],
     deployments: Annotated[
         list[str],
-        typer.Option("--deployment", metavar="id", help="Where on the platform we were put in."),
+        typer.Option("--deployment", metavar="id", help="ID of our deployment on the platform."),
     ],
     moodle: Annotated[
         str, typer.Option("--moodle", metavar="address", help="It is a Moodle at this address.")
@@ -115,7 +115,7 @@ def register(  # noqa: PLR0913 (one parameter per option)
         typer.Option(
             "--known-by",
             metavar="sourcedid|email",
-            help="By what a student is known: the office's number (default), the mail.",
+            help="What identifies a student: the office's number (default), the mail address.",
         ),
     ] = None,
     course: CourseOption = None,

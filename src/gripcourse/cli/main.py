@@ -9,6 +9,7 @@ import traceback
 from collections.abc import Callable, Iterable
 from contextlib import suppress
 from datetime import datetime
+from functools import partial
 from pathlib import Path
 from time import perf_counter
 from typing import Annotated
@@ -32,10 +33,10 @@ from gripcourse.cli import trace as cli_trace
 from gripcourse.cli import variants as cli_variants
 from gripcourse.cli.foreseen import HANDOUTS, foresee
 from gripcourse.cli.help import SpokenCommand, command_group
+from gripcourse.cli.issuing import exit_code, issue_with_progress
 from gripcourse.cli.loudness import confirm, is_verbose, prepare_streams
 from gripcourse.cli.options import (
     DONE,
-    NEEDS_PERSON,
     OUR_MISTAKE,
     PROCESSORS,
     WRONG_USE,
@@ -53,7 +54,6 @@ from gripcourse.cli.options import (
     day_of,
     document_language,
     main_table,
-    say_limits,
     words_for,
 )
 from gripcourse.cli.pairs import read_pairs
@@ -203,24 +203,14 @@ def issue(  # noqa: PLR0913 (one parameter per option)
         deadline=deadline.date() if deadline else None,
         link_days=link_days,
     )
-    say_limits(words)
-    with cli_text.progress(words) as step:
-        ticks: list[Callable[[], None]] = []
-        issuing = issue_order(
-            loaded,
-            load_policy(loaded),
-            order,
-            workers,
-            lambda _: ticks[0](),
-            on_counted=lambda total: ticks.append(step(words.say(message("Issuing")), total)),
-        )
-    confirm(cli_text.issuing_text(issuing, out, words))
+    issue_all = partial(issue_order, loaded, load_policy(loaded), order, workers)
+    issuing = issue_with_progress(issue_all, out, words)
     if printed is not None:
         from gripcourse.usecases.issuing.printing import print_sheets
 
         print_sheets(issuing.handouts, loaded, out, printed, order.today)
         confirm(str(printed))
-    raise typer.Exit(NEEDS_PERSON if any(one.faults for one in issuing.handouts) else DONE)
+    raise typer.Exit(exit_code(issuing))
 
 
 @app.command(cls=SpokenCommand)

@@ -63,7 +63,7 @@ def mark(  # noqa: PLR0913 (one parameter per option)
         bool, typer.Option("--override", help="Overrule the automatic result; needs a comment.")
     ] = False,
     withdraw: Annotated[
-        bool, typer.Option("--withdraw", help="Let the marks of this item count no longer.")
+        bool, typer.Option("--withdraw", help="Withdraw the marks of this item.")
     ] = False,
     show: Annotated[bool, typer.Option("--list", help="Show what waits for a person.")] = False,
     table: Annotated[

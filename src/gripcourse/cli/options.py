@@ -35,7 +35,7 @@ LanguageOption = Annotated[
         "--language",
         metavar="en|ru|uk",
         callback=_inherited,
-        help="Language of what is said; default: the system's, for documents the course's.",
+        help="Language of the output; default: the system's, for documents the course's.",
     ),
 ]
 TableOption = Annotated[

@@ -16,7 +16,7 @@ _OPTIONS: Final[Mapping[str, str]] = {
     "quantities": "--quantity",
 }
 # What has no name on the command line but a place; called as its help calls it.
-_PLACES: Final[Mapping[str, str]] = {"quantity": "item", "student": "student"}
+_PLACES: Final[Mapping[str, str]] = {"graded": "folder", "quantity": "item", "student": "student"}
 
 TYPED: Final[Mapping[NextStep, str]] = {
     NextStep.ALLOW_LOWER: "--allow-lower",
@@ -47,8 +47,8 @@ def said_of(problems: Sequence[Problem], words: Words) -> Iterator[str]:
     yield from (spoken(one, words) for one in merged[:_MOST])
     if len(merged) > _MOST:
         left = len(merged) - _MOST
-        more = counted("And {count} more problem. Mend these first.",
-                       "And {count} more problems. Mend these first.", left)  # fmt: skip
+        more = counted("And {count} more problem. Correct these first.",
+                       "And {count} more problems. Correct these first.", left)  # fmt: skip
         yield words.say(more)
 
 

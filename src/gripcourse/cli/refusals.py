@@ -55,7 +55,7 @@ def _refused(error: typer.TyperException, context: "Context") -> Problem:
         return Problem("", name, message("There is no such option."), did_you_mean(name, options))
     if getattr(options[name], "is_flag", False):
         return Problem("", name, message("This option takes no value."), remedy)
-    return Problem("", name, message("Behind this option a value is missing."), remedy)
+    return Problem("", name, message("A value is missing after this option."), remedy)
 
 
 def _unusable(error: typer.TyperException, parameter: TyperOption | TyperArgument) -> Message:

@@ -2,7 +2,6 @@
 
 import getpass
 from contextlib import suppress
-from dataclasses import replace
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
@@ -73,10 +72,7 @@ def regrade(  # noqa: PLR0913 (one parameter per option)
     from gripcourse.usecases.grading.unchanged import open_earlier
     from gripcourse.usecases.grading.versions import versions_of
     from gripcourse.usecases.marks import regrade as command
-    from gripcourse.usecases.marks.gradebook import with_kept_versions
-    from gripcourse.usecases.marks.mark import existing_gradebook
     from gripcourse.usecases.marks.opening import open_grading
-    from gripcourse.usecases.marks.whose import read_whose
 
     words = words_for(language)
     direction = regrade_text.chosen_direction(only)
@@ -89,11 +85,8 @@ def regrade(  # noqa: PLR0913 (one parameter per option)
     root = course_folder(course)
     versions = versions_of(root)
     context = open_grading(root)
-    decided = read_whose(whose or (), files, context.register)
-    context = replace(context, whose=decided, either_version=either_version)
     place, now = gradebook_place(gradebook, context.course.root), datetime.now(UTC)
-    existing_gradebook(place)
-    context = with_kept_versions(context, place)
+    context = command.as_decided(context, files, place, whose or (), either_version=either_version)
     earlier = None
     # Whoever may not write there looks, too, but pays for every look.
     with suppress(OSError):
@@ -144,7 +137,7 @@ def publish(
     course: CourseOption = None,
     language: LanguageOption = None,
 ) -> None:
-    """Keep that students are told their results: from now on only a regrade changes them."""
+    """Record that students know their results: from now on only a regrade changes them."""
     from gripcourse.gradebook.journal import Signed
     from gripcourse.usecases.marks import regrade as command
 
@@ -163,11 +156,11 @@ def waive(  # noqa: PLR0913 (one parameter per option)
         typer.Option(
             "--until",
             metavar="time",
-            help="Until when it costs nothing; default: ever.",
+            help="Until when it costs nothing; default: for good.",
         ),
     ] = None,
     withdraw: Annotated[
-        bool, typer.Option("--withdraw", help="Let the student's waivers count no longer.")
+        bool, typer.Option("--withdraw", help="Withdraw the student's waivers.")
     ] = False,
     why: WhyOption = "",
     by: ByOption = None,

@@ -90,7 +90,7 @@ def regrade_text(
 def applied_text(done: Sequence["Attempt"], words: Words) -> str:
     """Return what stands since a regrade was applied."""
     if not done:
-        return words.say(message("Nothing was changed: all of it stands just so already."))
+        return words.say(message("Nothing was changed: all of it is already so."))
     said = counted(
         "Regrade {number} was applied to {count} work. Grade again to renew the reports.",
         "Regrade {number} was applied to {count} works. Grade again to renew the reports.",
@@ -109,7 +109,7 @@ def undone_text(done: "Regrade", words: Words) -> str:
 def published_text(told: Sequence["Published"], words: Words) -> str:
     """Return how many results are published now."""
     if not told:
-        return words.say(message("Everybody was told just so already."))
+        return words.say(message("Everybody has been told this already."))
     return words.say(
         counted(
             "{count} result is published; a regrade may change it.",

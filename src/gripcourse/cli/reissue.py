@@ -2,17 +2,15 @@
 
 import getpass
 from datetime import datetime
-from typing import TYPE_CHECKING, Annotated
+from functools import partial
+from typing import Annotated
 
 import typer
 
-from gripcourse.cli import text as cli_text
 from gripcourse.cli.foreseen import HANDOUTS, foresee
 from gripcourse.cli.help import SpokenCommand
-from gripcourse.cli.loudness import confirm
+from gripcourse.cli.issuing import exit_code, issue_with_progress
 from gripcourse.cli.options import (
-    DONE,
-    NEEDS_PERSON,
     PROCESSORS,
     ByOption,
     CourseOption,
@@ -26,13 +24,8 @@ from gripcourse.cli.options import (
     course_apart,
     day_of,
     main_table,
-    say_limits,
     words_for,
 )
-from gripcourse.text.words import message
-
-if TYPE_CHECKING:
-    from collections.abc import Callable
 
 # Every command imports what it needs itself: numpy, pandas and the database cost half a second.
 # ruff: noqa: PLC0415
@@ -63,7 +56,7 @@ def reissue(  # noqa: PLR0913 (one parameter per option)
     course: CourseOption = None,
     language: LanguageOption = None,
 ) -> None:
-    """Issue a new version of assignments; what was handed out stays, and works on it count."""
+    """Issue a new version of assignments; what was handed out before stays valid."""
     foresee(HANDOUTS, workers)
 
     from gripcourse.course.load import load_course
@@ -81,16 +74,6 @@ def reissue(  # noqa: PLR0913 (one parameter per option)
         deadline=deadline.date() if deadline else None,
         link_days=link_days,
     )
-    say_limits(words)
-    with cli_text.progress(words) as step:
-        ticks: list[Callable[[], None]] = []
-        issuing = reissue_order(
-            loaded,
-            load_policy(loaded),
-            order,
-            workers,
-            lambda _: ticks[0](),
-            on_counted=lambda total: ticks.append(step(words.say(message("Issuing")), total)),
-        )
-    confirm(cli_text.issuing_text(issuing, out, words))
-    raise typer.Exit(NEEDS_PERSON if any(one.faults for one in issuing.handouts) else DONE)
+    issue_all = partial(reissue_order, loaded, load_policy(loaded), order, workers)
+    issuing = issue_with_progress(issue_all, out, words)
+    raise typer.Exit(exit_code(issuing))

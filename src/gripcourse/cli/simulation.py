@@ -36,7 +36,7 @@ from gripcourse.text.words import message
 # ruff: noqa: PLC0415
 
 app = typer.Typer()
-tolerance_app = command_group("Tolerances: derive them.")
+tolerance_app = command_group("Derive the tolerances of answers.")
 
 
 @app.command(cls=SpokenCommand)
@@ -88,7 +88,7 @@ def evaluate(  # noqa: PLR0913 (one parameter per option)
     course: CourseOption = None,
     language: LanguageOption = None,
 ) -> None:
-    """Set what virtual students did against what the grader says of it."""
+    """Compare what the grader says of virtual students with what they did."""
     from gripcourse.course.load import load_course
     from gripcourse.policy.load import load_policy
     from gripcourse.usecases.measuring import virtual as command
@@ -166,7 +166,7 @@ def demo(
     course: CourseOption = None,
     language: LanguageOption = None,
 ) -> None:
-    """Run the whole main job: issue to a roster, let scripted students answer, grade, report."""
+    """Try everything once: issue to a roster, let scripted students answer, grade, report."""
     from gripcourse.cli.demo.run import run_demo
 
     words = words_for(language)

@@ -4,7 +4,7 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
-from gripcourse.text.shown import one_line
+from gripcourse.text.shown import first_of, one_line
 from gripcourse.text.words import Words, message
 
 if TYPE_CHECKING:
@@ -29,7 +29,7 @@ def without_times(reports: Sequence["Report"], words: Words) -> Iterator[str]:
         "Nobody knows when these were handed in, so none of them is late ({count}): {names}. Say it"
         " with --handed-in, for all, for a file, or by the grading worksheet of Moodle.",
         count=len(names),
-        names=", ".join(names[:_NAMED]) + (", …" if len(names) > _NAMED else ""),
+        names=first_of(names, _NAMED),
     )
     yield words.say(said)
 
@@ -42,6 +42,6 @@ def without_deadlines(students: Sequence[str], words: Words) -> Iterator[str]:
         "Lateness costs, but these students have no deadline ({count}): {names}. Write one into"
         " variants/deadlines.csv: for all, for a group or for a student.",
         count=len(students),
-        names=", ".join(students[:_NAMED]) + (", …" if len(students) > _NAMED else ""),
+        names=first_of(students, _NAMED),
     )
     yield words.say(said)

@@ -33,7 +33,7 @@ from gripcourse.text.words import Words, message
 # Every command imports what it needs itself: numpy, pandas and WeasyPrint cost up to half a second.
 # ruff: noqa: PLC0415
 
-app = command_group("Variant tables: draw, import or audit.")
+app = command_group("Variant tables: draw, fill in, import, audit.")
 
 
 @app.command("draw", cls=SpokenCommand)
@@ -90,7 +90,9 @@ def import_(
 def template(
     *,
     scheme: SchemeOption = None,
-    rows: Annotated[int, typer.Option("--rows", min=1, max=1000, help="Of each scheme.")] = 30,
+    rows: Annotated[
+        int, typer.Option("--rows", min=1, max=1000, help="How many rows for each scheme.")
+    ] = 30,
     out: OutTableOption = Path("variants.xlsx"),
     course: CourseOption = None,
     language: LanguageOption = None,
@@ -112,7 +114,9 @@ def audit(  # noqa: PLR0913 (one parameter per option)
         int | None,
         typer.Option("--drawn", min=1, help="Audit so many freely drawn variants, and no table."),
     ] = None,
-    seed: Annotated[int, typer.Option("--seed", min=0, help="Of what is drawn.")] = 1,
+    seed: Annotated[
+        int, typer.Option("--seed", min=0, help="The same seed draws the same variants.")
+    ] = 1,
     scheme: SchemeOption = None,
     out: OutOption = Path("audit"),
     on: DateOption = None,

@@ -9,7 +9,7 @@ from gripcourse.text.words import Message, message
 def unknown_name(
     what: Message, name: str, known: Iterable[str], scheme: str, *, is_shared: bool
 ) -> tuple[Message, Message]:
-    """Return what is wrong and how to mend it.
+    """Return what is wrong and how to correct it.
 
     Args:
         what: the fault in a sentence.

@@ -36,7 +36,7 @@ _KINDS: Final = (
     ),
     _Kind(
         ("Illegal character", "Unescaped", "Invalid hex", "Escaped character"),
-        message("A sign in a text cannot stand so."),
+        message("A character in this text cannot be written so."),
         message("Write the text in single quotes: '\\alpha', or double the backslash."),
     ),
     _Kind(

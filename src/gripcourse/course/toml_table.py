@@ -1,4 +1,4 @@
-"""Reading TOML with every fault collected: where it is, what it is, how to mend it.
+"""Reading TOML with every fault collected: where it is, what it is, how to correct it.
 
 Getters never raise on content: they add a `Problem` and return something that lets reading go on,
 so that an author sees all faults of a course at once.

@@ -260,7 +260,7 @@ def _datum(quantity: Quantity, value: float | None, words: Words) -> SheetDatum:
 
 def _tasks(plan: Plan, policy: Policy, course: Course, words: Words) -> Iterator[SheetTask]:
     for section in course.sections:
-        asked = [q for q in (*plan.answered, *plan.manual) if q.section == section.id]
+        asked = [q for q in plan.asked if q.section == section.id]
         if asked:
             yield _task(section, asked, plan, policy, words)
 

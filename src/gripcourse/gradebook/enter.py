@@ -64,7 +64,7 @@ class EntryFault:
     Attributes:
         field: of the draft; a line of the rubric as `line:sizes`.
         what: is wrong.
-        remedy: how to mend it.
+        remedy: how to correct it.
         step: what of this program mends it; None for nothing.
     """
 

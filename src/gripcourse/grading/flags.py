@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 
 from gripcourse.grading.model import Finding, Flag, FlagCode
 from gripcourse.submission.model import Identity, Submission
+from gripcourse.text.shown import first_of
 from gripcourse.text.words import counted, message
 from gripcourse.variants.model import Issued
 
@@ -42,7 +43,6 @@ def _moved_flags(submission: Submission) -> Iterator[Flag]:
 def _absent_flags(submission: Submission, issued: Issued) -> Iterator[Flag]:
     """In somebody else's workbook it is no wonder that cells are absent."""
     if submission.absent and submission.identity.student in {"", issued.student.id}:
-        named = ", ".join(submission.absent[:_NAMED])
         said = counted(
             "The workbook has no cell for {count} answer, which counts as blank: {names}. Either it"
             " was deleted, or the course asks for it only since the workbook was issued. Then issue"
@@ -52,7 +52,7 @@ def _absent_flags(submission: Submission, issued: Issued) -> Iterator[Flag]:
             " Then issue the assignment anew: works on the earlier version are judged by what it"
             " asked for.",
             len(submission.absent),
-            names=named + (", …" if len(submission.absent) > _NAMED else ""),
+            names=first_of(submission.absent, _NAMED),
         )
         yield Flag(FlagCode.ANSWERS_MISSING, said)
 

@@ -118,7 +118,7 @@ def _report(
 def _in_order(plan: Plan) -> list[Quantity]:
     """Order as the assignment does: by section, manual items last in theirs."""
     sections = {section.id: rank for rank, section in enumerate(plan.course.sections)}
-    return sorted((*plan.answered, *plan.manual), key=lambda one: sections[one.section])
+    return sorted(plan.asked, key=lambda one: sections[one.section])
 
 
 def _substituted(

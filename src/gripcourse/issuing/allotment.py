@@ -8,10 +8,11 @@ from typing import Final
 from gripcourse.errors import Problem, TableError
 from gripcourse.issuing.register import Register
 from gripcourse.issuing.signature import sign
+from gripcourse.text.shown import first_of
 from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.words import Message, counted, message
 from gripcourse.variants.model import Issued, Student, Variant
-from gripcourse.variants.names import find_variant, without_noughts
+from gripcourse.variants.names import find_variant, without_leading_zeros
 
 _NAMED: Final = 10  # variants that a note names
 
@@ -163,19 +164,19 @@ def named_as_issued(
     table = {variant.id for variant in variants}
     issued: dict[str, set[str]] = {}
     for id_ in holders_of(register):
-        issued.setdefault(without_noughts(id_), set()).add(id_)
+        issued.setdefault(without_leading_zeros(id_), set()).add(id_)
     renamed: dict[str, str] = {}
     for id_ in table:
-        meant = issued.get(without_noughts(id_), set())
+        meant = issued.get(without_leading_zeros(id_), set())
         if id_ not in meant and len(meant - table) == 1 == len(meant):
             (renamed[id_],) = meant
     if not renamed:
         return tuple(variants), ()
     pairs = [f"{one.id} → {renamed[one.id]}" for one in variants if one.id in renamed]
     said = message(
-        "The table lacks the noughts of variants that were issued, as after a spreadsheet program;"
-        " they are taken for these: {pairs}.",
-        pairs=", ".join(pairs[:_NAMED]) + (", …" if len(pairs) > _NAMED else ""),
+        "The table lacks the leading zeros of variants that were issued, as after a spreadsheet"
+        " program; they are taken for these: {pairs}.",
+        pairs=first_of(pairs, _NAMED),
     )
     return tuple(replace(one, id=renamed.get(one.id, one.id)) for one in variants), (said,)
 
@@ -222,14 +223,12 @@ def _notes(
             notes.append(message("{student} keeps variant {variant} with the numbers that were"
                                  " issued; the table has others now.", student=name,
                                  variant=id_))  # fmt: skip
-        if student.variant and without_noughts(student.variant) != without_noughts(id_):
+        if student.variant and without_leading_zeros(student.variant) != without_leading_zeros(id_):
             notes.append(message("{student} keeps variant {variant}, although the roster says"
                                  " {fixed} now.", student=name, variant=id_,
                                  fixed=student.variant))  # fmt: skip
         if deadline is not None and entry.deadline != deadline:
-            before = entry.deadline.isoformat() if entry.deadline else "—"
-            notes.append(message("{student} keeps the deadline {deadline}.", student=name,
-                                 deadline=before))  # fmt: skip
+            notes.append(_kept_deadline(name, entry.deadline))
     if absent:
         notes.append(
             counted(
@@ -239,3 +238,16 @@ def _notes(
             )
         )
     return tuple(notes)
+
+
+def _kept_deadline(student: str, deadline: date | None) -> Message:
+    """Say that issuing again gave nobody another deadline."""
+    if deadline is None:
+        return message(
+            "{student} was issued without a deadline and still has none. Write one into"
+            " variants/deadlines.csv, which counts before what was issued.",
+            student=student,
+        )
+    return message(
+        "{student} keeps the deadline {deadline}.", student=student, deadline=deadline.isoformat()
+    )

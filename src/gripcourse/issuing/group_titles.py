@@ -10,6 +10,7 @@ from dataclasses import dataclass, field, replace
 from functools import cache
 from itertools import groupby, pairwise
 
+from gripcourse.text.shown import first_of
 from gripcourse.text.spelling import plain
 from gripcourse.text.words import Message, message
 from gripcourse.variants.headings import declared_names
@@ -79,8 +80,7 @@ def with_groups_below(sheet: Sheet, place: int) -> tuple[Sheet, tuple[Message, .
     if not written or not without:
         return sheet, ()
     if not _begin_blocks(sheet.rows, written, place):
-        rows = ", ".join(sheet.row_name(row.number) for row in without[:_NAMED])
-        rows += ", …" if len(without) > _NAMED else ""
+        rows = first_of([sheet.row_name(row.number) for row in without], _NAMED)
         return sheet, (message("No group is written in the rows: {rows}.", rows=rows),)
     filled: list[SheetRow] = []
     group = ""

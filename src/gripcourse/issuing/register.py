@@ -89,7 +89,7 @@ def refuse_changed(changed: Sequence[Issued], entries: int, place: str) -> None:
         RegisterError: naming every student whose numbers are not those that were issued.
     """
     if len(changed) == entries > 1:
-        what = message("Not one entry of the register fits the key: it is another one.")
+        what = message("No entry of the register fits the key: it is another key.")
         remedy = message("Restore the key that the course was issued with from a backup.")
         raise RegisterError([Problem(place, "", what, remedy)])
     if changed:

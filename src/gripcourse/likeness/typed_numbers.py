@@ -96,8 +96,3 @@ class TypedNumbers:
     def explained(self) -> NDArray[np.bool_]:
         """Whether each is right, or follows from the student's own numbers."""
         return np.frombuffer(self.told, np.bool_)
-
-
-def none_typed() -> TypedNumbers:
-    """Return no numbers."""
-    return TypedNumbers("", b"", b"", {})

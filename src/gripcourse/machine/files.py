@@ -95,13 +95,9 @@ def replacing(path: Path) -> Iterator[Path]:
     path.parent.mkdir(parents=True, exist_ok=True)
     temporary = _temporary(path)
     try:
-        yield temporary
-        temporary.replace(path)
-    except OSError as error:
-        # Nobody knows the temporary name, and what fails while it is written has no name at all.
-        if error.filename in (None, str(temporary), temporary):
-            error.filename, error.filename2 = str(path), None
-        raise
+        with _failing_as(path, temporary):
+            yield temporary
+            temporary.replace(path)
     finally:
         with suppress(OSError):
             temporary.unlink(missing_ok=True)
@@ -124,17 +120,35 @@ def making(path: Path) -> Iterator[Path]:
     """
     temporary = _temporary(path)
     try:
-        yield temporary
-        try:
-            path.hardlink_to(temporary)
-        except FileExistsError:
-            return
-        except OSError:
-            # A file system without links, such as that of a memory stick.
-            if not path.exists():
-                temporary.rename(path)
+        with _failing_as(path, temporary):
+            yield temporary
+            _link(temporary, path)
     finally:
         temporary.unlink(missing_ok=True)
+
+
+@contextmanager
+def _failing_as(path: Path, temporary: Path) -> Iterator[None]:
+    """Give errors the name of the file that somebody asked for."""
+    try:
+        yield
+    except OSError as error:
+        # Nobody knows the temporary name, and what fails while it is written has no name at all.
+        if error.filename in (None, str(temporary), temporary):
+            error.filename, error.filename2 = str(path), None
+        raise
+
+
+def _link(temporary: Path, path: Path) -> None:
+    """Give a finished file its name, unless that is taken."""
+    try:
+        path.hardlink_to(temporary)
+    except FileExistsError:
+        return
+    except OSError:
+        # A file system without links, such as that of a memory stick.
+        if not path.exists():
+            temporary.rename(path)
 
 
 def expect_file(path: Path) -> None:

@@ -18,7 +18,7 @@ def points_of(plan: Plan, policy: Policy) -> Mapping[str, float]:
     Main results have the points that the policy declares, whatever else the section asks for. What
     is left of a section is shared by weight: the quantity's own, else its kind's.
     """
-    marked = (*plan.answered, *plan.manual)
+    marked = plan.asked
     fixed: dict[str, float] = {}
     weights: dict[str, float] = {}
     for quantity in marked:

@@ -121,13 +121,13 @@ def _check_names(tables: tuple[Table, ...], lines: tuple[RubricLine, ...]) -> No
             table.add(
                 "id",
                 message("'{id}' is no id.", id=line.id),
-                message("Write small Latin letters, digits and underscores, a letter first."),
+                message("Write lower-case Latin letters, digits and underscores, a letter first."),
             )
         elif line.id in TABLE_COLUMNS:
             table.add(
                 "id",
                 message("'{id}' is a column of the table of marks.", id=line.id),
-                message("Call the line otherwise."),
+                message("Give the line another name."),
             )
         elif line.id in seen:
             table.add(

@@ -109,13 +109,13 @@ def read_scales(table: Table, sections: Mapping[str, float]) -> tuple[Scale, ...
             inner.add(
                 "id",
                 message("'{id}' is no id.", id=scale.id),
-                message("Write small Latin letters, digits and underscores, a letter first."),
+                message("Write lower-case Latin letters, digits and underscores, a letter first."),
             )
         elif scale.id in _COLUMNS or scale.id in sections:
             inner.add(
                 "id",
                 message("'{id}' is a column of the table of grades.", id=scale.id),
-                message("Call the scale otherwise."),
+                message("Give the scale another name."),
             )
         elif counts[scale.id] > 1:
             inner.add(

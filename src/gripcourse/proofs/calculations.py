@@ -125,7 +125,7 @@ def differences(one: PrintedCalculation) -> Iterator[Problem]:
             _with_followers(what, follow) if follow else what,
             message(
                 "Compare the formula of {name} and of what it uses with the source; if they"
-                " are right, mend the printed number or what is given.",
+                " are right, correct the printed number or what is given.",
                 name=name,
             ),
         )

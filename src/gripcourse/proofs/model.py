@@ -57,7 +57,7 @@ class ProofResult:
         proof: what was to be proved.
         verdict: whether it holds.
         compared: how many numbers or formulas were compared.
-        problems: what is wrong where it fails, one for each place that somebody has to mend.
+        problems: what is wrong where it fails, one for each place that somebody has to correct.
         note: what else there is to say, for example why it was not tried; None for nothing.
     """
 

@@ -5,9 +5,8 @@ compositions, but each of a few hundred declarations is computed only once, for 
 have it.
 """
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
-from heapq import heapify, heappop, heappush
 from typing import TypeAlias, TypeVar
 
 import numpy as np
@@ -19,6 +18,7 @@ from gripcourse.course.model import Course
 from gripcourse.course.quantity import Kind, Quantity
 from gripcourse.course.step_up import inputs_of, step_ups
 from gripcourse.formula.evaluate import finite
+from gripcourse.solver.order import in_order_of_need
 from gripcourse.solver.plan import Plan, plan_of
 from gripcourse.solver.sizes import compute
 from gripcourse.solver.solve import Evaluation
@@ -218,8 +218,8 @@ def _family(course: Course, compositions: tuple[Composition, ...], numbers: Rows
                 inputs[key] = inputs_of(one, course.convention, ups)
             having[key][1].append(number)
             before[key].update(keys[name] for name in inputs[key])
-    order = _order(before)
-    if order is None:
+    order = in_order_of_need(before)
+    if len(order) < len(before):
         return None
     members = []
     for key in order:
@@ -229,26 +229,3 @@ def _family(course: Course, compositions: tuple[Composition, ...], numbers: Rows
         plan = plan_of(course, compositions[found[0]])
         members.append(Member(quantity, inputs[key], places, tuple(found), plan))
     return Family(compositions, numbers, tuple(members))
-
-
-def _order(before: Mapping[Key, Iterable[Key]]) -> list[Key] | None:
-    """Order keys so that each comes after those before it; None where they go in a circle."""
-    rank = {key: place for place, key in enumerate(before)}
-    after: dict[Key, list[Key]] = {key: [] for key in before}
-    missing = dict.fromkeys(before, 0)
-    for key, earlier in before.items():
-        for one in earlier:
-            after[one].append(key)
-            missing[key] += 1
-    keys = list(before)
-    ready = [rank[key] for key in keys if not missing[key]]
-    heapify(ready)
-    ordered: list[Key] = []
-    while ready:
-        key = keys[heappop(ready)]
-        ordered.append(key)
-        for one in after[key]:
-            missing[one] -= 1
-            if not missing[one]:
-                heappush(ready, rank[one])
-    return ordered if len(ordered) == len(keys) else None

@@ -3,7 +3,6 @@
 from collections.abc import Mapping
 from dataclasses import dataclass, field, fields
 from functools import lru_cache
-from heapq import heappop, heappush
 from typing import Any
 
 from gripcourse.course.catalogue import columns_of
@@ -19,6 +18,7 @@ from gripcourse.course.step_up import StepUp, inputs_of, step_ups
 from gripcourse.errors import Problem, UsageError
 from gripcourse.formula.evaluate import Column
 from gripcourse.formula.tree import Formula
+from gripcourse.solver.order import in_order_of_need
 from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.words import message
 
@@ -67,6 +67,11 @@ class Plan:
         """What the plan computes."""
         return Composition.of(self.scheme.id, self.options)
 
+    @property
+    def asked(self) -> tuple[Quantity, ...]:
+        """What a student is asked: what the program judges, then what a person marks."""
+        return (*self.answered, *self.manual)
+
     def reference_formula(self, identifier: str) -> Formula | None:
         """Return the formula that gives the reference of a quantity in this plan's convention."""
         return reference_formula(self.quantities[identifier], self.convention)
@@ -104,7 +109,7 @@ def plan_of(course: Course, composition: Composition, convention: Convention | N
     declared = compose(course, scheme, options)
     ups = step_ups(declared, convention)
     inputs = {name: inputs_of(one, convention, ups) for name, one in declared.items()}
-    order = _stable_order(inputs)
+    order = in_order_of_need(inputs)
     used = {name for one in inputs.values() for name in one}
     ranks = {section.id: rank for rank, section in enumerate(course.sections)}
 
@@ -211,23 +216,3 @@ def _check_options(scheme: Scheme, options: Mapping[str, str]) -> None:
     ]
     if problems:
         raise UsageError(problems)
-
-
-def _stable_order(inputs: Mapping[str, tuple[str, ...]]) -> tuple[str, ...]:
-    """Order by dependency; among those that are ready, by order of declaration."""
-    names = tuple(inputs)
-    rank = {name: number for number, name in enumerate(names)}
-    users: dict[str, list[str]] = {name: [] for name in names}
-    for name, used in inputs.items():
-        for one in used:
-            users[one].append(name)
-    missing = {name: len(used) for name, used in inputs.items()}
-    ready = [rank[name] for name in names if not missing[name]]
-    ordered: list[str] = []
-    while ready:
-        ordered.append(names[heappop(ready)])
-        for user in users[ordered[-1]]:
-            missing[user] -= 1
-            if not missing[user]:
-                heappush(ready, rank[user])
-    return tuple(ordered)

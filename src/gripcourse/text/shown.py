@@ -5,6 +5,7 @@ writing round let a name pass for another. None of them is ever part of what som
 """
 
 import re
+from collections.abc import Sequence
 from typing import Final
 
 # C0 and C1 but tab and line end, what embeds, overrides and isolates a direction (Unicode UAX #9),
@@ -19,6 +20,11 @@ _REPLACEMENT: Final = "\ufffd"
 def shown(text: str) -> str:
     """Return a text with the sign of an unknown character in the place of each such one."""
     return _UNSEEN.sub(_REPLACEMENT, text)
+
+
+def first_of(names: Sequence[str], most: int) -> str:
+    """Return the first of several names, and an ellipsis where there are more."""
+    return ", ".join(names[:most]) + (", …" if len(names) > most else "")
 
 
 def one_line(text: str) -> str:

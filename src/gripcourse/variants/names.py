@@ -5,8 +5,8 @@ from collections.abc import Sequence
 from gripcourse.variants.model import Variant
 
 
-def without_noughts(name: str) -> str:
-    """Return a name as a spreadsheet program saves it: of a whole number the first noughts go."""
+def without_leading_zeros(name: str) -> str:
+    """Return a name as a spreadsheet program saves it: of a whole number the leading zeros go."""
     return name.lstrip("0") or "0" if name.isdecimal() else name
 
 
@@ -16,7 +16,7 @@ def find_variant(variants: Sequence[Variant], written: str) -> Variant | None:
     A spreadsheet program that saves a roster or a table cuts zeros off.
     """
     exact = [variant for variant in variants if variant.id == written]
-    meant = without_noughts(written)
-    loose = [variant for variant in variants if without_noughts(variant.id) == meant]
+    meant = without_leading_zeros(written)
+    loose = [variant for variant in variants if without_leading_zeros(variant.id) == meant]
     found = exact or loose
     return found[0] if len(found) == 1 else None

@@ -22,7 +22,7 @@ from gripcourse.variants.explain import broken_option_rule, explain, with_unit
 from gripcourse.variants.feasible import Reason, judge
 from gripcourse.variants.headings import TableColumn
 from gripcourse.variants.model import Variant
-from gripcourse.variants.names import without_noughts
+from gripcourse.variants.names import without_leading_zeros
 from gripcourse.variants.row_faults import CellFault, RowRefusal, problems_of, refusals_of
 from gripcourse.variants.sheet import Sheet, SheetRow
 
@@ -89,14 +89,14 @@ class RowReader:
         id_ = self._cell(row, "variant")
         if not id_:
             self._add(row, "variant", message("The variant has no name."), message("Write one."))
-        elif (other := seen.get(without_noughts(id_))) is not None:
+        elif (other := seen.get(without_leading_zeros(id_))) is not None:
             self._add(
                 row,
                 "variant",
                 message("The variant '{variant}' is in row {row} already.",
                         variant=self._cell(other, "variant"), row=other.number),
-                message("Give each variant a name of its own, and not one that differs in noughts"
-                        " before the number alone: spreadsheet programs drop them."),
+                message("Give each variant a name of its own, and not one that differs in leading"
+                        " zeros alone: spreadsheet programs drop them."),
             )  # fmt: skip
         elif not is_file_name(id_):
             self._add(
@@ -108,7 +108,7 @@ class RowReader:
                     most=LONGEST_NAME,
                 ),
             )
-        seen.setdefault(without_noughts(id_), row)
+        seen.setdefault(without_leading_zeros(id_), row)
         return id_
 
     def _scheme(self, row: SheetRow) -> Scheme | None:
@@ -266,7 +266,7 @@ class RowReader:
 
 
 def _roots(plan: Plan, reasons: Sequence[Reason]) -> list[Reason]:
-    """Leave out what is computed from something that is refused itself: mended with it."""
+    """Leave out what is computed from something that is refused itself: corrected with it."""
     refused = {one.quantity for one in reasons}
     return [one for one in reasons if not refused & _inputs_of_all(plan, one.quantity)]
 

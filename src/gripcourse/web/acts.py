@@ -29,7 +29,7 @@ from gripcourse.web.uploads import count, too_often
 
 LONGEST_SENTENCE: Final = 1000
 LONGEST_REASON: Final = 300
-ALREADY_SO: Final = message("That is marked just so already.")
+ALREADY_SO: Final = message("That is already marked so.")
 
 
 def check(

@@ -151,7 +151,7 @@ def home(visit: Visit) -> Response:
     """Show the assignment, what was handed in, and the results where they are published."""
     context, issued, words = visit.site.context, visit.issued, visit.words
     plan = plan_of(context.course, issued.variant.composition)
-    titles = {one.id: one.title.of(words.language) for one in (*plan.answered, *plan.manual)}
+    titles = {one.id: one.title.of(words.language) for one in plan.asked}
     published = published_to(context, visit.student)
     rule, deadline = context.policy.check, context.deadlines.of(issued)
     values: dict[str, object] = {

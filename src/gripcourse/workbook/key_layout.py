@@ -81,7 +81,7 @@ def key_layout(plan: Plan, words: Words) -> KeyLayout:
 
 def _sections(plan: Plan, words: Words) -> Iterator[tuple[str, tuple[Quantity, ...]]]:
     for section in plan.course.sections:
-        asked = tuple(q for q in (*plan.answered, *plan.manual) if q.section == section.id)
+        asked = tuple(q for q in plan.asked if q.section == section.id)
         if asked:
             yield section.title.of(words.language), asked
 

@@ -20,7 +20,7 @@ from gripcourse.issuing.store import extend_register
 from gripcourse.machine.database.home import gradebook_path
 from gripcourse.machine.database.opening import open_engine
 from gripcourse.usecases.authoring.check_lists import list_problems
-from gripcourse.usecases.authoring.validate import all_problems, scheme_problems, validated
+from gripcourse.usecases.authoring.validate import scheme_problems, validated
 from gripcourse.variants.model import Student, Variant
 
 COURSE = Path(__file__).parents[3] / "examples" / "belt_drive"
@@ -52,7 +52,7 @@ def test_declarations_catalogues_and_policy_are_judged_together(
         ("variants/catalogues/belt_count.csv", "# source:", "# from:"),
         ("grader/policy.toml", "total = 100", "total = 99"),
     )
-    assert {(one.file, one.key) for one in all_problems(root)} == {
+    assert {(one.file, one.key) for one in validated(root).problems} == {
         ("variants/sections/open_belt.toml", "quantity.wrap_angle.formula"),
         ("variants/catalogues/belt_count.csv", "source"),
         ("grader/policy.toml", "points.section"),
@@ -74,7 +74,7 @@ def test_a_changed_register_is_named_with_its_student(course: Course, tmp_path: 
 
 def test_spaces_are_judged_when_the_course_is_sound(broken: Callable[..., Path]) -> None:
     space_fault = (SPACE, "[given.power]", "[given.powr]")
-    found = all_problems(broken(space_fault))
+    found = validated(broken(space_fault)).problems
     assert found
     assert {one.file for one in found} == {SPACE}
 
@@ -113,7 +113,9 @@ def test_a_wrong_formula_is_told_beside_a_wrong_declaration_of_something_else(
     broken: Callable[..., Path],
 ) -> None:
     wrong_shaft = ("variants/sections/driven_shaft.toml", '"2*total_tension', '"7*total_tension')
-    found = {(one.file, str(one.key)) for one in all_problems(broken(UNKNOWN_UNIT, wrong_shaft))}
+    found = {
+        (one.file, str(one.key)) for one in validated(broken(UNKNOWN_UNIT, wrong_shaft)).problems
+    }
     assert found == {
         (UNKNOWN_UNIT[0], "quantity.pitch_width.unit"),
         ("variants/schemes/flat_belt/worked_example.toml", "corrected.expected.shaft_force"),
@@ -131,7 +133,7 @@ def test_a_range_upside_down_is_told_beside_a_wrong_declaration(
     in_space = (SPACE, "low = 0.93\nhigh = 0.96", "low = 0.96\nhigh = 0.93")
     found = {
         (one.file, str(one.key))
-        for one in all_problems(broken(UNKNOWN_UNIT, upside_down, in_space))
+        for one in validated(broken(UNKNOWN_UNIT, upside_down, in_space)).problems
     }
     assert found == {
         (UNKNOWN_UNIT[0], "quantity.pitch_width.unit"),
@@ -142,7 +144,7 @@ def test_a_range_upside_down_is_told_beside_a_wrong_declaration(
 
 def test_of_what_two_files_declare_the_two_are_told_alone(broken: Callable[..., Path]) -> None:
     title = ("variants/schemes/v_belt/scheme.toml", "[quantity.pitch_width]", SECOND_FORCE)
-    found = [(one.file, str(one.key)) for one in all_problems(broken(title))]
+    found = [(one.file, str(one.key)) for one in validated(broken(title)).problems]
     assert found == [("variants/schemes/v_belt/scheme.toml", "quantity.shaft_force")]
 
 
@@ -165,7 +167,7 @@ def test_rows_refused_for_one_wrong_formula_are_one_problem_of_the_table(
     root = broken(
         ("variants/sections/driven_shaft.toml", '"2*total_tension', '"7000*total_tension')
     )
-    (told,) = [one for one in all_problems(root) if one.file == "variants/tables/main.csv"]
+    (told,) = [one for one in validated(root).problems if one.file == "variants/tables/main.csv"]
     assert str(told.key) == "rows 2–25 (24 in all), the first of them variant 001"
     assert "shaft_force" in str(told.what)
 
@@ -182,7 +184,7 @@ def test_tables_of_variants_are_judged_with_row_and_column(broken: Callable[...,
     root = broken()
     tables = root / "variants" / "tables"
     (tables / "spare.csv").write_text("variant,scheme\n001,rack\n", encoding="utf-8")
-    found = all_problems(root)
+    found = validated(root).problems
     assert found
     assert {one.file for one in found} == {"variants/tables/spare.csv"}
 
@@ -200,13 +202,13 @@ def test_a_fault_is_found_after_the_course_was_found_sound(
     broken: Callable[..., Path], file: str, old: str, new: str
 ) -> None:
     root = broken()
-    assert all_problems(root) == []
+    assert validated(root).problems == []
     path = root / file
     sound = path.read_text(encoding="utf-8")
     path.write_text(sound.replace(old, new, 1), encoding="utf-8")
-    assert Path(file).name in {Path(one.file).name for one in all_problems(root)}
+    assert Path(file).name in {Path(one.file).name for one in validated(root).problems}
     path.write_text(sound, encoding="utf-8")
-    assert all_problems(root) == []
+    assert validated(root).problems == []
 
 
 # One of each kind of file that a course has, its tables apart: see above. Templates: see below.
@@ -238,40 +240,40 @@ def test_a_mistake_is_told_alike_whatever_was_found_sound_before(
     old: str,
     new: str,
 ) -> None:
-    assert all_problems(COURSE) == []
+    assert validated(COURSE).problems == []
     root = broken((file, old, new))
-    after = all_problems(root)
+    after = validated(root).problems
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "nothing"))
     assert after
-    assert after == all_problems(root)
+    assert after == validated(root).problems
 
 
 def test_what_a_scheme_leaves_behind_is_told_though_all_others_are_sound(
     broken: Callable[..., Path], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    assert all_problems(COURSE) == []
+    assert validated(COURSE).problems == []
     root = broken()
     shutil.rmtree(root / "variants" / "schemes" / "v_belt")
-    after = all_problems(root)
+    after = validated(root).problems
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "nothing"))
     assert "There is no 'belt_power' in the course." in {str(one.what) for one in after}
-    assert after == all_problems(root)
+    assert after == validated(root).problems
 
 
 def test_a_template_is_judged_after_all_were_found_sound(broken: Callable[..., Path]) -> None:
     root = broken()
-    assert all_problems(root) == []
+    assert validated(root).problems == []
     (root / "templates").mkdir(exist_ok=True)
     name = "assignment.html.j2"
     engine = Path(__file__).parents[3] / "templates" / name
     text_of_it = engine.read_text(encoding="utf-8") + "{{ no_such_value }}"
     (root / "templates" / name).write_text(text_of_it, encoding="utf-8")
-    (problem,) = [one for one in all_problems(root) if one.file == f"templates/{name}"]
+    (problem,) = [one for one in validated(root).problems if one.file == f"templates/{name}"]
     assert "If you did not change this file, delete it" in str(problem.remedy)
 
 
 def test_a_folder_without_a_course_has_one_problem(tmp_path: Path) -> None:
-    [problem] = all_problems(tmp_path)
+    [problem] = validated(tmp_path).problems
     assert (problem.file, str(problem.what)) == (
         "variants/course.toml",
         "The file is missing.",
@@ -305,5 +307,5 @@ def test_a_scheme_alone_is_as_valid_as_the_course(course: Course, scheme: str) -
 def test_of_faults_that_follow_from_one_the_root_is_told(
     broken: Callable[..., Path], edit: tuple[str, str, str], key: str
 ) -> None:
-    found = all_problems(broken(edit))
+    found = validated(broken(edit)).problems
     assert [(one.file, str(one.key)) for one in found] == [(edit[0], key)]

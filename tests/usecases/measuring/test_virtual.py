@@ -13,7 +13,7 @@ from gripcourse.errors import UsageError
 from gripcourse.policy.load import load_policy, policy_path, read_policy
 from gripcourse.policy.model import Policy
 from gripcourse.simulation.tolerance import ToleranceAudit
-from gripcourse.usecases.authoring.validate import all_problems
+from gripcourse.usecases.authoring.validate import validated
 from gripcourse.usecases.measuring.tolerance import (
     ToleranceSample,
     apply,
@@ -118,6 +118,6 @@ def test_a_fault_of_the_mix_is_found_when_the_course_is_validated(
     mix = root / "grader" / "virtual.toml"
     text = mix.read_text(encoding="utf-8").replace("honest = 45.0", "honets = 45.0")
     mix.write_text(text, encoding="utf-8")
-    assert [one.key for one in all_problems(root)] == ["conduct.honets"]
+    assert [one.key for one in validated(root).problems] == ["conduct.honets"]
     mix.unlink()
-    assert all_problems(root) == []
+    assert validated(root).problems == []

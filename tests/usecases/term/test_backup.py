@@ -152,6 +152,11 @@ class TestTheWholeTerm:
     def test_nobody_is_signed_in_by_it(self, term: Term) -> None:
         assert not {"tables/desk_sign_in.jsonl", "tables/desk_session.jsonl"} & set(term.members)
 
+    def test_missing_folders_above_it_are_made(self, term: Term, tmp_path: Path) -> None:
+        out = tmp_path / "nights" / "term.zip"
+        back_up(term.root, out, NOW)
+        assert zipfile.is_zipfile(out)
+
     def test_only_its_owner_reads_it(self, term: Term) -> None:
         assert stat.S_IMODE(term.backup.stat().st_mode) == 0o600
 

@@ -106,7 +106,7 @@ class KeySets:
             with self._make() as client:
                 content = ask(client, PlatformQuestion(url)).content
         except PlatformFailedError as fault:
-            # Who comes is told to come later; what is to be mended only the administrator can see.
+            # Who comes is told to come later; what is wrong only the administrator can see.
             _log.warning("no keys from %s: %s", url, fault)
             return None
         match content:

@@ -102,7 +102,7 @@ def add_platform(root: Path, platform: Platform) -> Path:
     path = platforms_path(root)
     if platform.name in load_platforms(root):
         what = message("There is a platform '{name}' already.", name=platform.name)
-        remedy = message("Name it otherwise, or change what stands in the file.")
+        remedy = message("Give it another name, or change what stands in the file.")
         raise UsageError([Problem(str(path), "", what, remedy, parameter="name")])
     before = path.read_text(encoding="utf-8") if path.is_file() else _HEADING
     lines = [f"{name} = {_toml(getattr(platform, name))}" for name in _KEYS]
@@ -154,7 +154,7 @@ def _platform(name: str, table: Table) -> Platform:
     table.known_keys(_KEYS)
     if not _NAME.fullmatch(name):
         what = message("'{name}' is no name of a platform.", name=name)
-        table.add("", what, message("Write small Latin letters, digits, - and _."))
+        table.add("", what, message("Write lower-case Latin letters, digits, - and _."))
     token_url = _address(table, "token_url")
     issuer = table.text("issuer")
     authorization_url = _address(table, "authorization_url")

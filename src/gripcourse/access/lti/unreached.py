@@ -1,4 +1,4 @@
-"""Why a platform was not reached: a person has to know what to mend, and on which machine."""
+"""Why a platform was not reached: a person has to know what to correct, and on which machine."""
 
 import socket
 import ssl

@@ -26,7 +26,7 @@ from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.units import dimension
 from gripcourse.text.words import message
 
-_RENAME = message("Name the joint, the point or the let otherwise.")
+_RENAME = message("Give the joint, the point or the let another name.")
 
 
 @dataclass(frozen=True, slots=True)

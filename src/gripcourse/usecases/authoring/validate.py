@@ -79,11 +79,6 @@ class Validation:
     notes: tuple[Problem, ...] = ()
 
 
-def all_problems(root: Path, *, thorough: bool = False) -> list[Problem]:
-    """Return every problem of a course that can be told at once; see `validated`."""
-    return validated(root, thorough=thorough).problems
-
-
 def validated(root: Path, *, thorough: bool = False, processes: int = 1) -> Validation:
     """Find every problem of a course, whatever file it is in, and of this machine with it.
 

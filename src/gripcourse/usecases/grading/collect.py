@@ -17,6 +17,7 @@ from gripcourse.machine.archive import Unusable, is_bundle, members_of
 from gripcourse.machine.content import PackedFile, Readable, pure_path, shown_name
 from gripcourse.machine.shelf import Shelved
 from gripcourse.machine.spreadsheet.by_content import is_workbook
+from gripcourse.text.shown import first_of
 from gripcourse.text.words import Message, message
 from gripcourse.usecases.grading.versions import EARLIER
 
@@ -203,8 +204,7 @@ def _no_workbook(found: tuple[PassedOver, ...]) -> Message:
     return message(
         "There is no workbook in it, only {count} other files: {names}.",
         count=len(found),
-        names=", ".join(PurePath(one.file).name for one in found[:_NAMED])
-        + (", …" if len(found) > _NAMED else ""),
+        names=first_of([PurePath(one.file).name for one in found], _NAMED),
     )
 
 

@@ -172,7 +172,7 @@ def write_results(  # noqa: PLR0913 (the last is what everybody leaves as it is)
         if incidents:
             write_text(out / INCIDENTS, "\n".join(incidents), private=True)
         else:
-            # Those of an earlier run into the same folder have been mended.
+            # Those of an earlier run into the same folder have been corrected.
             (out / INCIDENTS).unlink(missing_ok=True)
         cohort = None if failed is not None or lay_out is None else out / COHORT_PDF
         return GradingOutcome(

@@ -1,6 +1,6 @@
 """The declarations that were issued with, kept for works on versions that were corrected since.
 
-A course that is mended judges everybody by what it says today: that is what a regrade shows. Only
+A corrected course judges everybody by what it says today: that is what a regrade shows. Only
 where a student was issued a version anew, by other declarations, is a work on the one before judged
 by those of that day. They lie in the course's private folder, as they stood in its files, under
 their own fingerprint: what has another one is not used.

@@ -38,7 +38,7 @@ from gripcourse.usecases.issuing.handout import (
     workbook_path,
 )
 from gripcourse.usecases.serving.desk import DeskContext
-from gripcourse.usecases.serving.links import address_of, make_links
+from gripcourse.usecases.serving.links import make_links, refuse_no_address
 from gripcourse.variants.model import Issued
 from gripcourse.variants.table import read_table
 
@@ -118,7 +118,7 @@ def issue_order(  # noqa: PLR0913 (the last two have usual values)
     """
     refuse_past(order.deadline, order.today)
     if order.link_days:
-        address_of(course.address)
+        refuse_no_address(course.address)
     before = read_register(course.root, course.id)
     roster = read_roster(
         order.roster, (entry.student for entry in before.entries), course.languages

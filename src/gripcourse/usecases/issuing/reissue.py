@@ -28,7 +28,7 @@ from gripcourse.usecases.issuing.issue import (
     refuse_past,
     write_handouts,
 )
-from gripcourse.usecases.serving.links import address_of
+from gripcourse.usecases.serving.links import refuse_no_address
 from gripcourse.variants.explain import why_infeasible
 from gripcourse.variants.model import Issued, Variant
 from gripcourse.variants.table import read_table
@@ -82,7 +82,7 @@ def reissue_order(  # noqa: PLR0913 (the last two have usual values)
     """
     refuse_past(order.deadline, order.today)
     if order.link_days:
-        address_of(course.address)
+        refuse_no_address(course.address)
     before = read_register(course.root, course.id)
     key = key_of(key_path(course.root), issued=bool(before.entries))
     if key is None:

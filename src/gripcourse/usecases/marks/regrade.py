@@ -28,6 +28,7 @@ from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.words import message
 from gripcourse.usecases.marks.gradebook import with_kept_versions
 from gripcourse.usecases.marks.mark import existing_gradebook
+from gripcourse.usecases.marks.whose import read_whose
 
 
 @dataclass(frozen=True, slots=True)
@@ -61,6 +62,34 @@ class Regrading:
     def going(self, direction: Shift) -> tuple[WorkChange, ...]:
         """Works whose points go one way, without those that cannot be judged any more."""
         return tuple(one for one in self.changes if one.direction is direction and not one.is_lost)
+
+
+def as_decided(
+    context: GradingContext,
+    files: Sequence[Readable],
+    place: str,
+    whose: Sequence[str],
+    *,
+    either_version: bool | None,
+) -> GradingContext:
+    """Return what works are graded again with, where a person decides what only a person can.
+
+    Args:
+        context: of the course.
+        files: the works, as they were handed in.
+        place: of the gradebook: a path or a database URL.
+        whose: `file=student`, where a person says who handed it in.
+        either_version: of what was issued anew, whether the version counts that gives more; None
+            as the gradebook says, else the workbook's own version.
+
+    Raises:
+        UsageError: a file or a student that is named is not there.
+        GradebookError: there is no gradebook, or it cannot be used.
+    """
+    decided = read_whose(whose, files, context.register)
+    existing_gradebook(place)
+    context = replace(context, whose=decided, either_version=either_version)
+    return with_kept_versions(context, place)
 
 
 def regrade(  # noqa: PLR0913 (the last ones are what everybody leaves as they are)
@@ -177,7 +206,7 @@ def undo_regrade(place: str, signed: Signed) -> Regrade:
 
 
 def publish(place: str, students: Iterable[str], signed: Signed) -> tuple[Published, ...]:
-    """Keep that students are told their results: from now on only a regrade changes them.
+    """Record that students know their results: from now on only a regrade changes them.
 
     Args:
         place: of the gradebook.

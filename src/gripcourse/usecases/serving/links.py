@@ -63,6 +63,21 @@ def address_of(declared: str, address: str = "") -> str:
     return base
 
 
+def refuse_no_address(declared: str) -> None:
+    """Refuse to print personal links on sheets of a course that does not say where its server is.
+
+    Args:
+        declared: address that the course declares; empty for none.
+
+    Raises:
+        UsageError: there is none.
+    """
+    if not declared:
+        what = message("Nobody knows at which address the server is found.")
+        remedy = message("Write `address` into variants/course.toml.")
+        raise UsageError([Problem("", "", what, remedy, parameter="link_days")])
+
+
 def token_of(context: DeskBooks, student: str, expires: datetime) -> str:
     """Make the part of an address by which a student is known."""
     link = SignedLink(student, expires, context.desk.revoked(student))

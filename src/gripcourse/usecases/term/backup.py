@@ -76,7 +76,7 @@ def back_up(root: Path, out: Path, now: datetime) -> BackedUp:
 
     Args:
         root: folder of the course.
-        out: file to make.
+        out: file to make; missing folders above it are made.
         now: when it is done.
 
     Raises:
@@ -97,6 +97,7 @@ def back_up(root: Path, out: Path, now: datetime) -> BackedUp:
     # What cannot be restored is no backup: every signature is verified.
     read_keys(key_path(root))
     read_register(root, course)
+    out.parent.mkdir(parents=True, exist_ok=True)
     with making(out) as temporary:
         make_private(temporary)
         with zipfile.ZipFile(temporary, "w", zipfile.ZIP_DEFLATED) as archive:

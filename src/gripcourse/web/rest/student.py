@@ -146,7 +146,7 @@ def published_result(context: DeskContext, issued: Issued, words: Words) -> Publ
     if published is None:
         return None
     plan = plan_of(context.course, issued.variant.composition)
-    titles = {one.id: one.title.of(words.language) for one in (*plan.answered, *plan.manual)}
+    titles = {one.id: one.title.of(words.language) for one in plan.asked}
     told = published.report
     return PublishedResult(
         student=student,
