@@ -65,6 +65,25 @@ def test_a_verdict_after_a_number_in_the_wrong_cell_is_judged_by_the_number_that
     assert hydraulic.lost({**hydraulic.answers, **written}) == {"bearing_stress"}
 
 
+def test_the_size_of_the_line_above_may_have_been_copied(
+    table: "tuple[Case, ...]", typed: Callable[[str, float, int], Answer]
+) -> None:
+    """The verdict is then that of the number which was meant, not of a size among stresses."""
+    tried = 0
+    for case in table:
+        order = [one.id for one in case.plan.answered]
+        if "bearing_ok" not in case.answers or case.reference["bearing_ok"] > 0:
+            continue
+        above = order[order.index("bearing_stress") - 1]
+        size = case.reference[above]
+        if above != "pin_diameter_first" or size > case.reference["bearing_stress_allowed"]:
+            continue
+        tried += 1
+        written = {"bearing_stress": typed("bearing_stress", size, len(f"{size:g}"))}
+        assert case.lost({**case.answers, **written}) == {"bearing_stress"}
+    assert tried
+
+
 def test_two_numbers_in_each_others_cells_cost_once(
     table: "tuple[Case, ...]", typed: Callable[[str, float, int], Answer]
 ) -> None:

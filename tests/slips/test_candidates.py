@@ -138,6 +138,12 @@ class TestGenericSlips:
                 0.5,
             ),
             (
+                "grip_force*force_ratio",
+                "wrong_end:force_ratio,force_ratio_at_min",
+                {"grip_force": 3, "force_ratio_at_min": 0.5},
+                1.5,
+            ),
+            (
                 "friction/mass",
                 "multiplied_for_divided:friction",
                 {"friction": 0.5, "mass": 4},

@@ -38,6 +38,7 @@ class Judgement:
         alone: how densely numbers lie at a wrong answer if nothing else is wrong but it: what all
             wrong methods and chance make of it; NaN where nobody asked.
         elsewhere: id of another answer that has the same number, where nothing else explains it.
+        mistyped: whether it has the digits of the right number, where nothing else explains it.
     """
 
     outcome: Outcome
@@ -52,6 +53,7 @@ class Judgement:
     remarks: tuple[Message, ...]
     alone: float = math.nan
     elsewhere: str = ""
+    mistyped: bool = False
 
 
 @dataclass(frozen=True, slots=True)

@@ -22,6 +22,7 @@ from gripcourse.grading.explain import (
     weigh,
     with_later_answers,
 )
+from gripcourse.grading.mistyped import is_mistyped
 from gripcourse.grading.model import Against, Outcome
 from gripcourse.grading.other_cell import is_number_of, weigh_other_cell
 from gripcourse.grading.unwritten import UNWRITTEN, carried_here, unwritten_before
@@ -83,7 +84,9 @@ def _explained(
 ) -> Judgement:
     """Say what explains an answer; `other` is one that has the same number."""
     if explanation is None:
-        return judgement if other is None else _with_other_cell(comparison, judgement, other)
+        if other is not None:
+            return _with_other_cell(comparison, judgement, other)
+        return _with_typed_digits(judgement) if is_mistyped(comparison) else judgement
     if explanation.likeliest.of == comparison.quantity.id:
         return _with_slip(comparison, judgement, explanation)
     methods = (explanation.likeliest, *explanation.tied)
@@ -123,6 +126,11 @@ def _with_other_cell(comparison: Comparison, judgement: Judgement, other: str) -
     title = comparison.plan.quantities[other].short_title
     said = message("The same number stands in another cell: {title}.", title=title)
     return replace(judgement, remarks=(*judgement.remarks, said), elsewhere=other)
+
+
+def _with_typed_digits(judgement: Judgement) -> Judgement:
+    said = message("Digits may have been exchanged, lost or doubled when it was typed.")
+    return replace(judgement, remarks=(*judgement.remarks, said), mistyped=True)
 
 
 def _with_other_end(

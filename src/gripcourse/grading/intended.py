@@ -110,9 +110,10 @@ def _intended(
         return None
     coarse = traits.right and not traits.equals_reference and not traits.follows
     rounded = coarse or (traits.equals_reference and _is_right_by_rounding(comparison))
-    # A number that was written into the wrong cell was not the one that was computed with.
-    in_wrong_cell = traits.mistake and one.judgement.elsewhere
-    if rounded or in_wrong_cell or (traits.mistake and _is_used_rightly(case, comparison, judged)):
+    # A number that was written into the wrong cell was not the one that was computed with, nor was
+    # one whose digits were exchanged in typing.
+    only_typed = traits.mistake and (one.judgement.elsewhere or one.judgement.mistyped)
+    if rounded or only_typed or (traits.mistake and _is_used_rightly(case, comparison, judged)):
         return replace(comparison.answer, value=comparison.expected)
     return _written_wrongly(case, one, comparison) if traits.named else None
 

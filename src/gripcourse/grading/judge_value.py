@@ -49,7 +49,11 @@ def _judge_coarse(comparison: Comparison) -> Judgement | None:
 def _matches(comparison: Comparison) -> Iterator[Judgement]:
     if comparison.fits(comparison.reference) and not _contradicts_itself(comparison):
         yield _conclude(comparison, Outcome.CORRECT, Against.REFERENCE, 1.0, _CORRECT)
-    if _follows(comparison, comparison.follows) or _follows_by_route(comparison):
+    if (
+        _follows(comparison, comparison.follows)
+        or _follows_by_route(comparison)
+        or _follows_in_size(comparison)
+    ):
         yield _conclude(
             comparison,
             Outcome.CARRIED,
@@ -79,6 +83,17 @@ def _follows_by_route(comparison: Comparison) -> bool:
     """Tell whether an answer follows from the student's numbers by the other way to it."""
     route = comparison.quantity.route
     return route is not None and _follows(comparison, comparison.at_own(route))
+
+
+def _follows_in_size(comparison: Comparison) -> bool:
+    """Tell whether a length or a speed is written as positive where own numbers make it negative.
+
+    After a mistake a difference may come out the wrong way round; a stroke has no sign.
+    """
+    lowest, follows = comparison.quantity.bounds[0], comparison.follows
+    if lowest < 0 or not follows.value < 0:
+        return False
+    return _follows(comparison, ExpectedRange(-follows.value, -follows.high, -follows.low))
 
 
 def _alternatives(comparison: Comparison) -> Iterator[Judgement]:

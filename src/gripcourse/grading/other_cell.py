@@ -1,8 +1,10 @@
 """A number that stands in two cells: it may have been written into the wrong one."""
 
 import math
+from collections.abc import Collection
 from typing import Final
 
+from gripcourse.course.quantity import Kind
 from gripcourse.grading.comparison import Comparison
 from gripcourse.grading.explain import Weighed
 from gripcourse.grading.rounding import typed_half_unit
@@ -25,7 +27,7 @@ def weigh_other_cell(comparison: Comparison) -> tuple[str | None, float]:
     order = [one.id for one in comparison.plan.answered]
     place = order.index(comparison.quantity.id)
     beside = {*order[max(0, place - 1) : place], *order[place + 1 : place + 2]}
-    same = [name for name in order if _holds_the_same(comparison, name)]
+    same = [name for name in order if _holds_the_same(comparison, name, beside)]
     half_unit = typed_half_unit(comparison.answer, comparison.policy)
     if not same or not half_unit:
         return None, 0.0
@@ -50,10 +52,16 @@ def is_number_of(comparison: Comparison, other: str, method: Weighed) -> bool:
     return any(math.isclose(method.value, one / unit, rel_tol=_ALIKE) for one in numbers)
 
 
-def _holds_the_same(comparison: Comparison, name: str) -> bool:
+def _holds_the_same(comparison: Comparison, name: str, beside: Collection[str]) -> bool:
+    """Tell whether another cell has the same number, and not because it happens so.
+
+    A size is short and met by chance: only one in the cell above or below was copied from it.
+    """
     quantity = comparison.plan.quantities[name]
     number = comparison.follow_through.known.get(name)
-    if number is None or name == comparison.quantity.id or quantity.exact:
+    if number is None or name == comparison.quantity.id or quantity.kind is Kind.VERDICT:
+        return False
+    if quantity.exact and name not in beside:
         return False
     if not math.isclose(number / factor(quantity.unit), comparison.value, rel_tol=_SAME):
         return False

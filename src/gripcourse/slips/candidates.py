@@ -13,7 +13,7 @@ from gripcourse.formula.plain import text
 from gripcourse.formula.tree import Formula, Node, names
 from gripcourse.formula.typeset import declared_symbol, symbol_box, typeset
 from gripcourse.policy.slips import GenericSlip, SlipKind, SlipPolicy
-from gripcourse.slips.ends import other_ends
+from gripcourse.slips.ends import other_ends, taken_among
 from gripcourse.slips.generic import GENERATORS
 from gripcourse.slips.model import Candidate, SlipId
 from gripcourse.slips.practical import in_practical_units
@@ -81,7 +81,7 @@ def _declared(plan: Plan, identifier: str, formula: Formula, policy: SlipPolicy)
         other
         for slip in kinds
         for name in formula.names
-        for other in other_ends(name, slip)
+        for other in (*other_ends(name, slip), *taken_among(name, plan.quantities, slip))
         if other in plan.quantities
     }
     earlier = _before(plan, identifier, ends)

@@ -14,7 +14,7 @@ from gripcourse.formula.tree import Call, Name, Negation, Node, Number, Operatio
 from gripcourse.policy.slips import SlipKind
 from gripcourse.slips.angles import ANGLES, angle_unit, ratio_for_angle, wrong_function
 from gripcourse.slips.calculator import added_for_multiplied, brackets_left_out
-from gripcourse.slips.ends import other_ends
+from gripcourse.slips.ends import other_ends, taken_among
 from gripcourse.slips.rewrite import number, renamed, rewritings, scaled, somewhere
 from gripcourse.slips.surroundings import Found, Place, Rewritten, Surroundings
 from gripcourse.slips.taken import counted_twice, mass_for_weight, other_row, ring_for_circle
@@ -197,7 +197,8 @@ def _swapped(around: Surroundings) -> Iterator[Rewritten]:
 def _wrong_end(around: Surroundings) -> Iterator[Rewritten]:
     """Take a value at another end of its range: everywhere, in one place, or all of them."""
     tree = around.formula.tree
-    ends = {name: tuple(_other_ends(around, name)) for name in around.formula.names}
+    named = {name: tuple(_other_ends(around, name)) for name in around.formula.names}
+    ends = {name: (*others, *_taken_among(around, name)) for name, others in named.items()}
     for name, others in ends.items():
         for other in others:
             detail = name if others == (other,) else f"{name},{other}"
@@ -210,7 +211,7 @@ def _wrong_end(around: Surroundings) -> Iterator[Rewritten]:
                 yield Name(other), (place, _ends(around, node.id, other))
 
     yield from _each(around, one)
-    pairs = {name: others[-1] for name, others in ends.items() if others}
+    pairs = {name: others[-1] for name, others in named.items() if others}
     if len(pairs) > 1:
         name, other = next(iter(pairs.items()))
         swapped = {one: Name(another) for one, another in pairs.items()}
@@ -227,6 +228,12 @@ def _other_ends(around: Surroundings, name: str) -> Iterator[str]:
     for other in other_ends(name, around.slip):
         if other in around.earlier and around.quantities[other].unit == unit:
             yield other
+
+
+def _taken_among(around: Surroundings, name: str) -> Iterator[str]:
+    """Yield the quantities of which this one is the greatest or the least."""
+    among = taken_among(name, around.quantities, around.slip)
+    yield from (one for one in among if one in around.earlier)
 
 
 def _minimum_for_maximum(around: Surroundings) -> Iterator[Rewritten]:
