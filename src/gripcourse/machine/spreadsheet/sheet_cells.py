@@ -33,6 +33,7 @@ _ABOVE: Final = str.maketrans("0123456789+-−oоOО", "⁰¹²³⁴⁵⁶⁷⁸
 _BELOW: Final = str.maketrans("0123456789+-−", "₀₁₂₃₄₅₆₇₈₉₊₋₋")
 _PLACED: Final = {"superscript": _ABOVE, "subscript": _BELOW}
 CROSSED_OUT: Final = "\N{COMBINING LONG STROKE OVERLAY}"
+_LONGEST_CROSSED: Final = 500
 _CROSSED: Final = re.compile(f".{CROSSED_OUT}", re.DOTALL)
 EMPTY: Final = StoredCell("n", None, 0, "")
 
@@ -197,7 +198,8 @@ def without_crossed_out(text: str) -> str:
 
 
 def _crossed_out(text: str) -> str:
-    return "".join([sign + CROSSED_OUT for sign in text])
+    """Strike signs through; what is too long to be shown is left out at once."""
+    return "".join([sign + CROSSED_OUT for sign in text[:_LONGEST_CROSSED]])
 
 
 def _is_struck(piece: Element, space: str) -> bool:
