@@ -23,7 +23,9 @@ def test_a_key_stays_as_it_is_written_in_the_file() -> None:
     assert problem.say(Words("ru")).startswith("t.toml: work.derived.title: ")
 
 
-@pytest.mark.parametrize("code", [errno.ENOENT, errno.EACCES, errno.EISDIR, errno.ENOSPC])
+@pytest.mark.parametrize(
+    "code", [errno.ENOENT, errno.EACCES, errno.EISDIR, errno.ENOSPC, errno.EMFILE]
+)
 def test_what_the_system_refuses_is_said_in_every_language(code: int) -> None:
     problem = system_problem(OSError(code, "English of the system", "a.csv"))
     said = {problem.say(Words(language)) for language in LANGUAGES}
@@ -41,3 +43,12 @@ def test_an_error_of_a_worker_arrives_with_its_problems() -> None:
     arrived = pickle.loads(pickle.dumps(TableError([problem])))  # noqa: S301 (our own)
     assert isinstance(arrived, TableError)
     assert arrived.problems == (problem,)
+
+
+def test_a_folder_that_is_gone_is_no_lack_of_temporary_folders() -> None:
+    gone = system_problem(FileNotFoundError(errno.ENOENT, "No such file or directory"))
+    none = system_problem(
+        FileNotFoundError(errno.ENOENT, "No usable temporary directory found in ['/tmp']")
+    )
+    assert "folder that you are in" in gone.say(Words("en"))
+    assert "temporary files" in none.say(Words("en"))

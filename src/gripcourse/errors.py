@@ -109,6 +109,10 @@ _SYSTEM = {
         message("The system does not allow files of this size."),
         message("Lift the limit (ulimit -f), or name another place."),
     ),
+    errno.EMFILE: (
+        message("More files are open at once than the system allows."),
+        message("Lift the limit (ulimit -n), or take fewer workers."),
+    ),
     errno.EDQUOT: (
         message("Your share of this disk is full."),
         message("Make room, or name another place."),
@@ -135,7 +139,11 @@ _SYSTEM = {
 def system_problem(error: OSError) -> Problem:
     """Say what the system refuses; what is rare stays as the system says it."""
     if error.errno == errno.ENOENT and error.filename is None:
-        # Only Python's search for a folder of temporary files misses something without a name.
+        # What misses something without a name is the search for the folder that a process is in,
+        # or Python's for one of temporary files, which says where it looked.
+        if "temporary" not in (error.strerror or ""):
+            what = message("The folder that you are in is no longer there.")
+            return Problem("", "", what, message("Change into another one."))
         what = message("Nothing can be written to any folder for temporary files.")
         remedy = message("Make room, lift the limit (ulimit -f), or name a folder in TMPDIR.")
         return Problem("", "", what, remedy)
@@ -147,7 +155,9 @@ def system_problem(error: OSError) -> Problem:
 def memory_problem() -> Problem:
     """Say that the system gave less memory than the work takes."""
     what = message("There is too little memory for this.")
-    remedy = message("Lift the limit (ulimit -v), end other programs, or take fewer workers.")
+    remedy = message(
+        "Lift the limits (ulimit -v, ulimit -u), end other programs, or take fewer workers."
+    )
     return Problem("", "", what, remedy)
 
 

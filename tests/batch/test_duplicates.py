@@ -78,3 +78,9 @@ def test_flags_that_were_there_stay(blank_report: Report) -> None:
     reports = [named(blank_report, f"{n}.xlsx", "s01", "") for n in range(2)]
     assert isinstance(blank_report.flags[0], Flag)
     assert all(one.flags[0] == blank_report.flags[0] for one in marked(reports))
+
+
+def test_of_a_hundred_files_each_names_a_few_others(blank_report: Report) -> None:
+    many = [named(blank_report, f"{n}.xlsx", "s1", str(n)) for n in range(100)]
+    flag = marked(many)[50].flags[-1]
+    assert flag.message.values["files"] == "0.xlsx, 1.xlsx, 2.xlsx, 3.xlsx, 4.xlsx, … (+94)"

@@ -6,6 +6,7 @@ from string import ascii_uppercase
 from hostile.small_workbook import (
     PARTS,
     PROPERTIES,
+    RELATIONS,
     SHEET,
     STYLES,
     TEXTS,
@@ -343,3 +344,17 @@ def a_date_of_the_properties_that_is_a_year() -> bytes:
 def options_without_end() -> bytes:
     options = f'<property name="gripcourse.options"><x>{"a=b;" * 200_000}</x></property>'
     return replaced(PROPERTIES, "</Properties>", options + "</Properties>")
+
+
+def a_million_comments_inside_a_number() -> bytes:
+    return replaced(SHEET, b"<v>22941.5</v>", b"<v>" + b"1<!---->" * 900_000 + b"</v>")
+
+
+def a_million_instructions_inside_a_text() -> bytes:
+    return replaced(TEXTS, "<si>", "<si><t>" + "1<?a?>" * 900_000 + "</t></si><si>")
+
+
+def a_relation_to_a_name_of_eight_megabytes() -> bytes:
+    target = b"%C3" * 2_500_000
+    many = b'<Relationship Id="x" Type="a/worksheet" Target="%s"/></Relationships>' % target
+    return replaced(RELATIONS, b"</Relationships>", many)

@@ -25,6 +25,12 @@ _RAISED = {
     "\u2212": "⁻",
     **dict.fromkeys("oOоО", "°"),
 }
+_LOWERED = {
+    **{str(digit): sign for digit, sign in enumerate("₀₁₂₃₄₅₆₇₈₉")},
+    "+": "₊",
+    "-": "₋",
+    "\u2212": "₋",
+}
 _ADDRESS = re.compile(r"\$?([A-Za-z]{1,3})\$?([0-9]{1,7})")
 
 
@@ -133,19 +139,31 @@ def _points_at(reference: str, address: str) -> bool:
 
 
 def _text(item: ET.Element) -> str:
-    pieces = [item, *(one for one in item if _is(one, "r"))]
-    return "".join(_shown(piece) for piece in pieces)
+    pieces = [one for one in item if _is(one, "r")]
+    plain, shown = _shown(item), [_shown(piece) for piece in pieces]
+    struck = [_is_struck(piece) for piece in pieces]
+    if all(struck) and not plain:
+        return "".join(shown)
+    return plain + "".join(
+        "".join(f"{sign}\u0336" for sign in text) if is_out else text
+        for text, is_out in zip(shown, struck, strict=True)
+    )
 
 
 def _shown(piece: ET.Element) -> str:
     text = _read_out("".join(one.text or "" for one in piece if _is(one, "t")))
-    raised = any(
-        _is(one, "vertAlign") and one.get("val") == "superscript"
-        for looks in piece
-        if _is(looks, "rPr")
-        for one in looks
-    )
-    return "".join(_RAISED.get(sign, sign) for sign in text) if raised else text
+    places = [one.get("val") for one in _looks(piece) if _is(one, "vertAlign")][:1]
+    signs = {"superscript": _RAISED, "subscript": _LOWERED}.get("".join(filter(None, places)), {})
+    return "".join(signs.get(sign, sign) for sign in text)
+
+
+def _is_struck(piece: ET.Element) -> bool:
+    lines = [one.get("val", "1") for one in _looks(piece) if _is(one, "strike")]
+    return lines[:1] not in ([], ["0"], ["false"])
+
+
+def _looks(piece: ET.Element) -> list[ET.Element]:
+    return [one for looks in piece if _is(looks, "rPr") for one in looks]
 
 
 def _read_out(text: str) -> str:

@@ -1,11 +1,21 @@
 """A course shows nothing of the machine, and no name leads out of a folder."""
 
 import os
+import sys
 from pathlib import Path
 
 import pytest
 
-from gripcourse.machine.enclosed import file_below, is_file_name, strange_files
+from gripcourse.course.digest import course_digest
+from gripcourse.course.source_files import source_files
+from gripcourse.errors import CourseError
+from gripcourse.machine.enclosed import (
+    file_below,
+    is_file_name,
+    read_within_bounds,
+    strange_files,
+)
+from gripcourse.usecases.grading.versions import versions_of
 
 
 @pytest.fixture
@@ -56,3 +66,22 @@ def test_what_leads_elsewhere_names_no_file(name: str, tmp_path: Path) -> None:
     assert not is_file_name(name)
     with pytest.raises(ValueError, match="no name of a file"):
         file_below(tmp_path, name)
+
+
+@pytest.mark.skipif(os.name == "nt" or sys.platform == "darwin", reason="names are text there")
+def test_a_name_in_the_letters_of_another_system_is_refused(course: Path) -> None:
+    Path(os.fsdecode(os.fsencode(course) + b"/variants/\xef\xee\xe4.csv")).touch()
+    (found,) = strange_files(course, ("variants",))
+    assert "letters of another system" in str(found.what)
+
+
+def test_nobody_reads_a_file_that_is_larger_than_any_of_a_course(course: Path) -> None:
+    huge = course / "variants" / "huge.toml"
+    with huge.open("wb") as stream:
+        stream.truncate(100 << 30)
+    with pytest.raises(OSError, match="huge"):
+        read_within_bounds(huge)
+    assert course_digest(course) is None
+    assert source_files(course) is None
+    with pytest.raises(CourseError, match="107374 MB"):
+        versions_of(course)

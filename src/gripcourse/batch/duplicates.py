@@ -2,9 +2,10 @@
 
 from array import array
 from collections import defaultdict
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
-from typing import TypeAlias
+from itertools import islice
+from typing import Final, TypeAlias
 
 import numpy as np
 
@@ -14,6 +15,7 @@ from gripcourse.text.words import message
 
 _Numbered: TypeAlias = tuple[int, Report]
 _Groups: TypeAlias = Mapping[str, Sequence[_Numbered]]
+_NAMED: Final = 5
 
 
 def doubles(reports: Sequence[Report]) -> Changes:
@@ -64,7 +66,7 @@ def _flags(number: int, report: Report, by_student: _Groups, by_digest: _Groups)
     if files:
         yield Flag(
             FlagCode.SEVERAL_FILES,
-            message("The student handed in more files: {files}.", files=", ".join(files)),
+            message("The student handed in more files: {files}.", files=_some(files)),
         )
     same = [one for _, one in by_digest.get(report.digest, ())]
     alike = [one for one in same if one.student != report.student]
@@ -77,16 +79,23 @@ def _flags(number: int, report: Report, by_student: _Groups, by_digest: _Groups)
             message(
                 "This student's own workbook was handed in by {students} too: the question goes to "
                 "them, not to the owner.",
-                students=", ".join(students),
+                students=_some(students),
             ),
             tuple(students),
         )
         return
     yield Flag(
         FlagCode.SAME_BYTES,
-        message("The same file came from: {students}.", students=", ".join(students)),
+        message("The same file came from: {students}.", students=_some(students)),
         tuple(students),
     )
+
+
+def _some(names: Collection[str]) -> str:
+    """Name the first ones: of a hundred files that belong together each would name all others."""
+    more = len(names) - _NAMED
+    said = ", ".join(islice(names, _NAMED))
+    return said if more <= 0 else f"{said}, … (+{more})"
 
 
 def _is_anothers(report: Report) -> bool:

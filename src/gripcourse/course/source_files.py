@@ -6,6 +6,7 @@ shown to who judges it: see `alone`.
 """
 
 import hashlib
+import os
 import re
 from collections.abc import Collection, Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
@@ -15,6 +16,7 @@ from typing import Final
 from gripcourse.course.compose import all_part_ids
 from gripcourse.course.implied_series import is_implied
 from gripcourse.course.model import Course, Scheme
+from gripcourse.machine.enclosed import read_within_bounds
 from gripcourse.machine.kept import digest_of
 from gripcourse.machine.resources import REQUIRED_FOLDERS, VARIANTS
 
@@ -151,7 +153,10 @@ def _contents(root: Path) -> dict[str, tuple[int, bytes]] | None:
         if any(path.is_symlink() and path.is_dir() for path in below):
             return None
         paths = {path.relative_to(root).as_posix(): path for path in below if path.is_file()}
-        return {name: (path.stat().st_ctime_ns, path.read_bytes()) for name, path in paths.items()}
+        return {
+            name: (path.stat().st_ctime_ns, read_within_bounds(path))
+            for name, path in paths.items()
+        }
     except OSError:
         return None
 
@@ -169,7 +174,7 @@ class _Known:
 
     @staticmethod
     def of(ids: Iterable[str]) -> "_Known":
-        known = {one.encode(): one for one in ids}
+        known = {os.fsencode(one): one for one in ids}
         words = {written: one for written, one in known.items() if _WORDS.fullmatch(written)}
         others = {written: one for written, one in known.items() if written not in words}
         return _Known(words, others)

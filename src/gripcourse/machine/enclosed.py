@@ -5,6 +5,7 @@ in a message, a pipe could make us wait for ever, and an id could lead out of th
 something is written to.
 """
 
+import errno
 import os
 import re
 import stat
@@ -19,6 +20,8 @@ LONGEST_NAME: Final = 64
 _LARGEST: Final = 32_000_000  # bytes; a thousand times what files of courses have
 
 _UNSAFE: Final = re.compile(r'[/\\:*?"<>|\x00-\x1f\x7f]')
+# Bytes of a name that are no UTF-8 come as these from the system.
+_NO_TEXT: Final = re.compile("[\ud800-\udfff]")
 # Names that Windows keeps for devices, whatever follows the dot: no file can be called so.
 _DEVICE: Final = re.compile(r"(con|prn|aux|nul|com\d|lpt\d)(\..*)?", re.IGNORECASE)
 
@@ -31,18 +34,31 @@ def strange_files(root: Path, folders: Iterable[str]) -> list[Problem]:
         folders: names of folders below it; one that is missing is none.
 
     Returns:
-        A problem for each link that leads out of the course, each pipe or device, and each file
-        that is too large.
+        A problem for each link that leads out of the course, each pipe or device, each file that is
+        too large, and each whose name is no text.
     """
     listed = tuple(folders)
     # What a link leads to must be looked at, too: a folder beside these is not.
     homes = tuple(Path(os.path.realpath(root)) / one for one in listed)
-    found = ((name, _wrong(Path(name), homes)) for name in _names(root, listed))
+    below = map(Path, _names(root, listed))
+    found = ((path, _wrong_name(path.name) or _wrong(path, homes)) for path in below)
     return [
-        Problem(Path(name).relative_to(root).as_posix(), "", *said)
-        for name, said in found
+        Problem(path.relative_to(root).as_posix(), "", *said)
+        for path, said in found
         if said is not None
     ]
+
+
+def read_within_bounds(path: Path) -> bytes:
+    """Return the content of a file of a course that nobody has looked at before.
+
+    Raises:
+        OSError: it cannot be read, or is larger than a file of a course may be.
+    """
+    with path.open("rb") as stream:
+        if os.fstat(stream.fileno()).st_size > _LARGEST:
+            raise OSError(errno.EFBIG, os.strerror(errno.EFBIG), str(path))
+        return stream.read()
 
 
 def is_file_name(name: str) -> bool:
@@ -81,6 +97,15 @@ def _names(root: Path, folders: Iterable[str]) -> Iterator[str]:
             continue
         for where, inside, files in os.walk(top):
             yield from (os.path.join(where, one) for one in (*inside, *files))  # noqa: PTH118 (thrice as fast, for hundreds of files at each start)
+
+
+def _wrong_name(name: str) -> tuple[Message, Message] | None:
+    if not _NO_TEXT.search(name):
+        return None
+    return (
+        message("The name of this file is in the letters of another system."),
+        message("Give it another name; archives of old Windows programs unpack so."),
+    )
 
 
 def _wrong(path: Path, homes: Sequence[Path]) -> tuple[Message, Message] | None:

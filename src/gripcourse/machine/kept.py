@@ -18,6 +18,7 @@ from functools import lru_cache
 from pathlib import Path
 from typing import Any, Final
 
+from gripcourse.machine.enclosed import read_within_bounds
 from gripcourse.machine.files import write_bytes
 from gripcourse.machine.process_wide import few_collections
 
@@ -30,12 +31,14 @@ def digest_of(root: Path, files: Iterable[Path]) -> str:
     """Return the digest of files, of their names below a folder, and of this program.
 
     Raises:
-        OSError: a file cannot be read.
+        OSError: a file cannot be read, or is larger than any of a course.
     """
     found = hashlib.sha256(_program_digest())
     for path in sorted(files):
-        content = path.read_bytes()
-        found.update(f"{path.relative_to(root).as_posix()}\0{len(content)}\0".encode())
+        content = read_within_bounds(path)
+        # The letters of a name may be those of another system.
+        found.update(os.fsencode(path.relative_to(root).as_posix()))
+        found.update(f"\0{len(content)}\0".encode())
         found.update(content)
     return found.hexdigest()
 

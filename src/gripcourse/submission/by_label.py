@@ -15,6 +15,7 @@ from gripcourse.course.quantity import Quantity
 from gripcourse.submission.raw import RawCell, RawWorkbook
 from gripcourse.text.words import LANGUAGES
 
+_ON_THE_LINE: Final = str.maketrans("₀₁₂₃₄₅₆₇₈₉₊₋", "0123456789+-", "_")
 _KEPT: Final = 1 << 13  # titles: all workbooks of a course have the same
 
 
@@ -69,4 +70,4 @@ def _stands(cell: RawCell, titles: Collection[str]) -> bool:
 @lru_cache(maxsize=_KEPT)
 def _plain(text: str) -> str:
     """Bare a title of its looks; where a subscript stands below the line there is no `_`."""
-    return " ".join(text.replace("_", "").split()).casefold()
+    return " ".join(text.translate(_ON_THE_LINE).split()).casefold()

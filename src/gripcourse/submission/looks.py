@@ -2,6 +2,7 @@
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
+from xml.etree.ElementTree import Element
 
 from gripcourse.machine.spreadsheet.cell_value import (
     CellContent,
@@ -12,7 +13,12 @@ from gripcourse.machine.spreadsheet.cell_value import (
     text_index,
 )
 from gripcourse.machine.spreadsheet.package import Package
-from gripcourse.machine.spreadsheet.sheet_cells import StoredCell, shared_texts
+from gripcourse.machine.spreadsheet.sheet_cells import (
+    StoredCell,
+    one_for_all,
+    shared_texts,
+)
+from gripcourse.machine.spreadsheet.xml_scan import namespace
 
 
 @dataclass(frozen=True, slots=True)
@@ -41,16 +47,22 @@ def looks_of(package: Package, workbook: str, cells: Iterable[StoredCell]) -> Lo
 
     Raises:
         KeyError: they share texts, and these are nowhere.
+        ValueError: programs disagree which of these texts there are.
         Exception: see `Package.root` and `formats_of`.
     """
     cells = tuple(cells)
     by_kind = {one.kind: one.part for one in package.related(workbook)}
     indices = (text_index(one.text) for one in cells if one.kind == "s")
     wanted = {one for one in indices if one is not None}
-    shared = package.root(by_kind["sharedStrings"]).iter() if wanted else ()
+    shared = _items(package.root(by_kind["sharedStrings"])) if wanted else ()
     has_style = any(one.style for one in cells)
     return Looks(
         texts=shared_texts(shared, wanted),
         formats=formats_of(package, by_kind.get("styles") if has_style else None),
         from_1904=counts_from_1904(package, workbook),
     )
+
+
+def _items(table: Element) -> Iterable[Element]:
+    """Return the texts of a table of them; a program counts no others, wherever they stand."""
+    return one_for_all(table).iterfind(f"{namespace(table)}si")

@@ -1,10 +1,12 @@
 """What one answer cell means: a value, nothing, or the reason why it cannot be read."""
 
 import re
+from dataclasses import replace
 from datetime import date, datetime, time, timedelta
 from typing import Final
 
 from gripcourse.course.quantity import Kind, Quantity
+from gripcourse.machine.spreadsheet.sheet_cells import CROSSED_OUT, without_crossed_out
 from gripcourse.submission.dates import about_date, about_time, is_serial_date, serial_date
 from gripcourse.submission.measure import Understood, from_number, from_text
 from gripcourse.submission.raw import CellValue, RawCell
@@ -35,6 +37,10 @@ _TEXT_LOST: Final = message(
     "workbook."
 )
 _NO_NUMBER: Final = message("A number is needed here.")
+_CROSSED_OUT: Final = message("What is crossed out in the cell was left out.")
+_ALL_CROSSED_OUT: Final = message(
+    "All that stands in the cell is crossed out. Write there what counts."
+)
 
 
 def understand(quantity: Quantity, cell: RawCell) -> Understood | Message | None:
@@ -49,9 +55,21 @@ def understand(quantity: Quantity, cell: RawCell) -> Understood | Message | None
     """
     if cell.value is None and not cell.formula:
         return _TEXT_LOST if cell.error else None
+    if isinstance(cell.value, str) and CROSSED_OUT in cell.value:
+        return _not_crossed_out(quantity, cell, cell.value)
     if isinstance(cell.value, str) and not cell.value.strip():
         return None
     return _damaged(cell) or _value(quantity, cell)
+
+
+def _not_crossed_out(quantity: Quantity, cell: RawCell, text: str) -> Understood | Message | None:
+    """Tell what a cell means in which a part of the text is crossed out."""
+    found = understand(quantity, replace(cell, value=without_crossed_out(text)))
+    if found is None:
+        return _ALL_CROSSED_OUT
+    if isinstance(found, Message):
+        return found
+    return replace(found, remarks=(_CROSSED_OUT, *found.remarks))
 
 
 def _damaged(cell: RawCell) -> Message | None:

@@ -3,7 +3,7 @@
 import errno
 import os
 from pathlib import Path
-from zipfile import ZIP_STORED, ZipFile
+from zipfile import ZIP_LZMA, ZIP_STORED, ZipFile
 
 import pytest
 
@@ -214,3 +214,18 @@ def test_a_lock_file_is_none_whatever_is_in_it(tmp_path: Path) -> None:
     made(tmp_path, "a.xlsx")
     (tmp_path / "~$b.zip").write_bytes(WORKBOOK)
     assert [one.why for one in collect([tmp_path]).passed_over] == [WhyNot.LOCK_FILE]
+
+
+def test_a_zip_of_works_that_cannot_be_unpacked_says_why(tmp_path: Path) -> None:
+    packed = tmp_path / "all.zip"
+    packed.write_bytes(archive({"s01.xlsx": WORKBOOK, "s02.xlsx": WORKBOOK}, ZIP_LZMA))
+    with pytest.raises(
+        UsageError, match=r"only 2 other files: s01\.xlsx, s02\.xlsx\. It is packed"
+    ):
+        collect([packed])
+    mixed = archive({"s01.xlsx": WORKBOOK}, ZIP_LZMA)
+    packed.unlink()
+    made(tmp_path, "b.docx", "c.zip")
+    (tmp_path / "c.zip").write_bytes(mixed)
+    with pytest.raises(UsageError, match=r"b\.docx, c\.zip\. Name a workbook"):
+        collect([tmp_path])

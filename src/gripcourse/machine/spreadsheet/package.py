@@ -31,6 +31,7 @@ _CHUNK: Final = 1 << 16
 # Bytes of XML parsed at a time: the parser looks through a long attribute again with each portion.
 _PORTION: Final = 1 << 20
 _SHORT: Final = 1 << 15  # bytes of a part that may be the same in many works
+_LONGEST_TARGET: Final = 0xFFFF
 _KEPT: Final = 64  # such parts, two megabytes at most
 UNSOUND: Final = (expat.ExpatError, ParseError, LookupError, UnicodeError)
 """What is raised of a part that is no sound XML; the latter two of encodings."""
@@ -203,6 +204,8 @@ class Package:
 
     def _target(self, folder: str, target: str) -> str:
         """Return the part that a relationship means; some programs write it as an address."""
+        if len(target) > _LONGEST_TARGET:  # a name that no archive can hold
+            return ""
         found = (
             posixpath.normpath(posixpath.join("/", folder, spelled)).lstrip("/")
             for spelled in (target, unquote(target), target.replace("\\", "/"))

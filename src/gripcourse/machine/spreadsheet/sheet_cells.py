@@ -30,6 +30,11 @@ _ESCAPED: Final = re.compile(r"_x([0-9A-Fa-f]{4})_")
 _NO_SIGN: Final = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd]")  # that may stand in XML
 # The letter o and its Cyrillic twin above the line are how people without a degree sign write it.
 _ABOVE: Final = str.maketrans("0123456789+-−oоOО", "⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻⁻°°°°")
+_BELOW: Final = str.maketrans("0123456789+-−", "₀₁₂₃₄₅₆₇₈₉₊₋₋")
+_PLACED: Final = {"superscript": _ABOVE, "subscript": _BELOW}
+CROSSED_OUT: Final = "\N{COMBINING LONG STROKE OVERLAY}"
+_LONGEST_CROSSED: Final = 500
+_CROSSED: Final = re.compile(f".{CROSSED_OUT}", re.DOTALL)
 EMPTY: Final = StoredCell("n", None, 0, "")
 
 
@@ -40,7 +45,8 @@ Merged: TypeAlias = tuple[Place, Place]
 def first_of_merged(sheet: Element, places: Collection[Place]) -> dict[Place, Place]:
     """Return for each place the cell that shows there: the first of a merged range, or itself."""
     shown = {place: place for place in places}
-    for element in sheet.iter(f"{namespace(sheet)}mergeCell"):
+    space = namespace(sheet)
+    for element in sheet.iterfind(f"{space}mergeCells/{space}mergeCell"):
         merged = _merged(element)
         if merged is not None:
             shown |= _first_of(*merged, places)
@@ -65,18 +71,45 @@ def stored_cells(sheet: Element, wanted: Collection[Place]) -> Mapping[Place, St
     """Read the wanted cells of a sheet; those that are not stored are left out.
 
     Raises:
-        ValueError: a cell is stored twice: programs disagree which of the two counts.
+        ValueError: a cell or its value is stored twice, or once for older and once for newer
+            programs: they disagree which of the two counts.
     """
     rows = {row for row, _ in wanted}
     space = namespace(sheet)
     found: dict[Place, StoredCell] = {}
-    for number, row in _numbered(sheet.iter(f"{space}row")):
-        for place, cell in _of_row(row, number, space) if number in rows else ():
+    for number, row in _numbered(_rows_in(sheet, space)):
+        for place, cell in _of_row(one_for_all(row), number, space) if number in rows else ():
             if place in wanted:
                 if place in found:
                     raise ValueError(place)
-                found[place] = _stored(cell, space)
+                found[place] = _stored(_of_one_value(cell), space)
     return found
+
+
+def _rows_in(sheet: Element, space: str) -> Iterator[Element]:
+    """Yield the rows that a program shows: those where cells stand, not any that is called so."""
+    for data in sheet.iterfind(f"{space}sheetData"):
+        yield from one_for_all(data).iterfind(f"{space}row")
+
+
+def one_for_all(holder: Element) -> Element:
+    """Return what holds rows, cells or texts, where all programs find the same of them.
+
+    Raises:
+        ValueError: some are for older programs, others for newer ones.
+    """
+    if any(local(one) == "AlternateContent" for one in holder):
+        raise ValueError(holder.tag)
+    return holder
+
+
+def _of_one_value(cell: Element) -> Element:
+    """Return a cell that holds one value at most, which is nothing but text."""
+    values = [one for one in one_for_all(cell) if local(one) in {"v", "is"}]
+    names = {one.tag for one in values}
+    if len(names) < len(values) or any(len(one) for one in values if local(one) == "v"):
+        raise ValueError(cell.get("r"))
+    return cell
 
 
 def all_cells(
@@ -145,24 +178,44 @@ def _stored(cell: Element, space: str) -> StoredCell:
 def text_of(item: Element) -> str:
     """Join the pieces of a text; how it is pronounced is not part of it.
 
-    What is raised stays raised: 10 with a raised 6 is a million, not a hundred and six.
+    What is raised stays raised: 10 with a raised 6 is a million, not a hundred and six. What is
+    lowered stays lowered. Of a text of which a part is crossed out, each of that part's signs is
+    followed by `CROSSED_OUT`.
     """
     space = namespace(item)
     plain = _text_in(item, space)
-    pieces = item.findall(f"{space}r")
-    return plain + "".join([_raised(_text_in(one, space), one, space) for one in pieces])
+    pieces = [(one, _placed(_text_in(one, space), one, space)) for one in item.findall(f"{space}r")]
+    struck = [_is_struck(one, space) for one, _ in pieces]
+    if not any(struck) or (all(struck) and not plain):  # as some mark what is done with
+        return plain + "".join([text for _, text in pieces])
+    shown = ((text, is_out) for (_, text), is_out in zip(pieces, struck, strict=True))
+    return plain + "".join([_crossed_out(text) if is_out else text for text, is_out in shown])
+
+
+def without_crossed_out(text: str) -> str:
+    """Leave out what is crossed out."""
+    return _CROSSED.sub("", text) if CROSSED_OUT in text else text
+
+
+def _crossed_out(text: str) -> str:
+    """Strike signs through; what is too long to be shown is left out at once."""
+    return "".join([sign + CROSSED_OUT for sign in text[:_LONGEST_CROSSED]])
+
+
+def _is_struck(piece: Element, space: str) -> bool:
+    line = piece.find(f"{space}rPr/{space}strike")
+    return line is not None and line.get("val", "1") not in {"0", "false"}
 
 
 def _text_in(piece: Element, space: str) -> str:
     return _unescaped("".join([one.text or "" for one in piece.findall(f"{space}t")]))
 
 
-def _raised(text: str, piece: Element, space: str) -> str:
-    """Write what a piece of a text shows above the line in the signs that stand there."""
+def _placed(text: str, piece: Element, space: str) -> str:
+    """Write what a piece of a text shows above or below the line in the signs that stand there."""
     place = piece.find(f"{space}rPr/{space}vertAlign")
-    if place is None or place.get("val") != "superscript":
-        return text
-    return text.translate(_ABOVE)
+    table = None if place is None else _PLACED.get(place.get("val", ""))
+    return text if table is None else text.translate(table)
 
 
 def _unescaped(text: str) -> str:

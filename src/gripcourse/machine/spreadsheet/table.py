@@ -21,6 +21,7 @@ from gripcourse.machine.spreadsheet.sheet_cells import (
     StoredCell,
     all_cells,
     shared_texts,
+    without_crossed_out,
 )
 
 MOST_COLUMNS = 2_000
@@ -87,7 +88,8 @@ def _sheets(package: Package) -> tuple[TableSheet, ...]:
         shown = shown_value(cell, formats.of(cell), texts, from_1904=from_1904)
         if shown.error and shown.value is None:  # a text that is not there: nobody may be left out
             raise UnreadableContentError
-        return cell.formula or None if shown.value is None else shown.value
+        value = without_crossed_out(shown.value) if isinstance(shown.value, str) else shown.value
+        return cell.formula or None if value is None else value
 
     # Two titles may lead to one part, which is read once.
     once = {sheets[title]: title for title in reversed(titles)}

@@ -201,11 +201,15 @@ def _inside(folder: Path) -> Iterator[tuple[Readable, WhyNot | None]]:
 def _no_workbook(found: tuple[PassedOver, ...]) -> Message:
     if not found:
         return message("There is no workbook in it.")
-    return message(
+    said = message(
         "There is no workbook in it, only {count} other files: {names}.",
         count=len(found),
         names=first_of([PurePath(one.file).name for one in found], _NAMED),
     )
+    reasons = {one.why for one in found}
+    if len(reasons) > 1:
+        return said
+    return message("{what} {more}", what=said, more=REASONS[reasons.pop()])
 
 
 def _problem(path: Path, what: Message) -> Problem:

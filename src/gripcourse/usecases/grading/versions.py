@@ -7,8 +7,10 @@ from pathlib import Path
 from typing import Final
 
 from gripcourse.course.digest import course_digest
+from gripcourse.errors import CourseError
+from gripcourse.machine.enclosed import strange_files
 from gripcourse.machine.kept import digest_of
-from gripcourse.machine.resources import TEMPLATES, template_folders
+from gripcourse.machine.resources import COURSE_FOLDERS, TEMPLATES, template_folders
 from gripcourse.text.conventions import is_english
 from gripcourse.text.translations import catalogue_file
 from gripcourse.text.words import LANGUAGES
@@ -26,8 +28,11 @@ def versions_of(root: Path) -> str:
         root: folder of the course.
 
     Raises:
+        CourseError: something lies in the course that must not be read.
         OSError: a file cannot be read.
     """
+    if strange := strange_files(root, COURSE_FOLDERS):
+        raise CourseError(strange)
     folders = (root / "grader", *template_folders(root / TEMPLATES))
     files = (digest_of(one, (path for path in one.rglob("*") if path.is_file())) for one in folders)
     translated = (
