@@ -43,6 +43,7 @@ def test_it_is_said_whose_id_in_the_list_does_not_count() -> None:
         (person(OLEH, id_="7"), person("Олег Дем’янчук")),
         (person(OLEH, id_="7", email="o@x"), person(OLEH, email="o@y")),
         (person(OLEH, id_="7"), person(OLEH, id_="8")),
+        (person(OLEH, id_="7"), person("Дем?янчук Олег Петрович", id_="8")),
     ],
 )
 def test_who_may_be_known_is_asked_about(known: Student, listed: Student) -> None:
@@ -50,6 +51,12 @@ def test_who_may_be_known_is_asked_about(known: Student, listed: Student) -> Non
     assert place == 0
     assert "(7, АВ-31), who has a variant" in str(what)
     assert "write the id 7" in str(remedy)
+
+
+def test_who_is_in_another_group_is_asked_about_where_the_id_was_made_here() -> None:
+    known = person(OLEH, "АВ-31", "дем-янчук-олег-петрович")
+    _, _, problems = with_ids([person(OLEH, "АВ-32", "4117")], [known])
+    assert [place for place, _ in problems] == [0]
 
 
 @pytest.mark.parametrize(

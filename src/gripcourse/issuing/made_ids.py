@@ -17,7 +17,7 @@ from gripcourse.issuing.same_person import (
     has_same_address,
     has_same_name,
     is_in_same_group,
-    who_may_be,
+    may_be,
 )
 from gripcourse.text.spelling import as_seen
 from gripcourse.text.words import Message, counted, message
@@ -110,6 +110,10 @@ def _is_same(student: Student, known: Student) -> bool:
     return is_one or has_same_address(student, known)
 
 
+def _may_be(student: Student, known: Student) -> bool:
+    return may_be(student, known, is_told_by_id=bool(student.id) and not _is_made(known))
+
+
 def _is_made(student: Student) -> bool:
     """Tell whether an id was made here: an office's means more."""
     wanted = {_wanted(student.name, student.email), _wanted(student.name, "")}
@@ -123,7 +127,8 @@ def _doubtful(
     absent = [one for one in known if one.id not in ids]
     found: list[tuple[int, Said]] = []
     for place, student in enumerate(students):
-        same = None if ids[place] else who_may_be(student, absent)
+        candidates = () if ids[place] else absent
+        same = next((one for one in candidates if _may_be(student, one)), None)
         if same is not None:
             group = f", {same.group}" if same.group else ""
             what = message(

@@ -16,7 +16,7 @@ from gripcourse.issuing.office_list import PARTS_OF_NAME
 from gripcourse.issuing.people_list import lists_in
 from gripcourse.machine.content import Readable
 from gripcourse.machine.enclosed import LONGEST_NAME, is_file_name
-from gripcourse.text.spelling import as_seen, plain
+from gripcourse.text.spelling import LOST_SIGN, as_seen, plain
 from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.words import LANGUAGES, Message, message
 from gripcourse.variants.headings import TableColumn, declared_names
@@ -24,6 +24,7 @@ from gripcourse.variants.model import Student
 from gripcourse.variants.sheet import Sheet, SheetRow, cell_place
 
 _ID = re.compile(r"[\w-][\w.-]*")
+_NAMED = 10  # students whom a note names
 # Signs of what is printed beside a student's work: nobody's name is longer, and a word of ten
 # thousand letters takes half a minute to lay out.
 _LONGEST = {"name": 255, "group": 100, "email": 254, "variant": LONGEST_NAME}
@@ -91,7 +92,21 @@ def read_roster(
     unused = (note for one in lists for note in one.sheet.notes)
     left_out = (note for one in lists for note in one.left_out)
     groups = groups_note([one.groups for one in lists])
-    return Roster(students, _each_once((*unused, *of_file, *groups, *left_out, *made)))
+    lost = _lost_note(students)
+    return Roster(students, _each_once((*unused, *of_file, *groups, *left_out, *lost, *made)))
+
+
+def _lost_note(students: Iterable[Student]) -> tuple[Message, ...]:
+    """Name whose name was damaged when the list was saved in an old code page."""
+    names = [one.name for one in students if LOST_SIGN in one.name]
+    if not names:
+        return ()
+    said = message(
+        "A letter of these names was lost when the list was saved: {names}. Save it again as"
+        " “CSV UTF-8” or .xlsx.",
+        names=", ".join(names[:_NAMED]) + (", …" if len(names) > _NAMED else ""),
+    )
+    return (said,)
 
 
 def _each_once(notes: Iterable[Message]) -> tuple[Message, ...]:

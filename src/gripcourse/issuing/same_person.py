@@ -1,9 +1,8 @@
 """Who of the register a person on a list is, or may be: a second variant cannot be taken back."""
 
-from collections.abc import Iterable
 from typing import Final
 
-from gripcourse.text.spelling import as_seen
+from gripcourse.text.spelling import as_seen, may_have_been
 from gripcourse.variants.model import Student
 from gripcourse.variants.names import without_noughts
 
@@ -37,24 +36,22 @@ def has_cut_id(student: Student, known: Student) -> bool:
     return is_cut and is_same
 
 
-def who_may_be(student: Student, known: Iterable[Student]) -> Student | None:
-    """Return who of some known students somebody new may be; None where nobody is like that.
+def may_be(student: Student, known: Student, *, is_told_by_id: bool) -> bool:
+    """Tell whether somebody new on a list may be a known student who is not on it.
 
     Args:
-        student: who is new; without an id where the list has none.
-        known: of the register, none of whom is anybody on the list.
+        student: who is new.
+        known: of the register.
+        is_told_by_id: whether an office gave each an id of their own: in another group that is
+            another person.
     """
-    return next((one for one in known if _may_be(student, one)), None)
-
-
-def _may_be(student: Student, known: Student) -> bool:
     words, others = _words(student), _words(known)
-    fewer = min(words, others, key=len)
+    is_same = words == others or may_have_been(as_seen(known.name), as_seen(student.name))
     if is_in_same_group(student, known):
         # A platform knows no patronymics, and has the first name first.
-        is_named_so = len(fewer) >= _FEWEST_WORDS and words | others in (words, others)
-        return is_named_so or has_same_name(student, known)
-    return not student.id and words == others and not has_other_address(student, known)
+        fewer = min(words, others, key=len)
+        return is_same or (len(fewer) >= _FEWEST_WORDS and words | others in (words, others))
+    return is_same and not is_told_by_id and not has_other_address(student, known)
 
 
 def _words(student: Student) -> frozenset[str]:
