@@ -185,5 +185,5 @@ def _leave(notes: Iterable[Message], words: Words) -> None:
     """Print what a person should look at, and leave with the exit code for it."""
     said = [words.say(note) for note in notes]
     for line in said:
-        confirm(line)
+        typer.echo(line)
     raise typer.Exit(NEEDS_PERSON if said else DONE)

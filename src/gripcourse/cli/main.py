@@ -212,12 +212,15 @@ def issue(  # noqa: PLR0913 (one parameter per option)
             on_counted=lambda total: ticks.append(step(words.say(message("Issuing")), total)),
         )
     confirm(cli_text.issuing_text(issuing, out, words))
+    unissued = cli_text.unissued_text(issuing, words)
+    if unissued:
+        typer.echo(unissued)
     if printed is not None:
         from gripcourse.usecases.issuing.printing import print_sheets
 
         print_sheets(issuing.handouts, loaded, out, printed, order.today)
         confirm(str(printed))
-    raise typer.Exit(NEEDS_PERSON if any(one.faults for one in issuing.handouts) else DONE)
+    raise typer.Exit(NEEDS_PERSON if unissued else DONE)
 
 
 @app.command(cls=SpokenCommand)

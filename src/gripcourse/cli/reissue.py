@@ -90,4 +90,7 @@ def reissue(  # noqa: PLR0913 (one parameter per option)
             on_counted=lambda total: ticks.append(step(words.say(message("Issuing")), total)),
         )
     confirm(cli_text.issuing_text(issuing, out, words))
-    raise typer.Exit(NEEDS_PERSON if any(one.faults for one in issuing.handouts) else DONE)
+    unissued = cli_text.unissued_text(issuing, words)
+    if unissued:
+        typer.echo(unissued)
+    raise typer.Exit(NEEDS_PERSON if unissued else DONE)
