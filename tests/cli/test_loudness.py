@@ -5,6 +5,7 @@ import json
 import logging
 import sys
 from collections.abc import Callable, Iterator
+from pathlib import Path
 
 import pytest
 
@@ -14,6 +15,8 @@ from gripcourse.cli.loudness import is_quiet, is_verbose
 from gripcourse.errors import Problem
 from gripcourse.text.words import message
 from gripcourse.usecases.authoring.validate import Validation
+from gripcourse.usecases.issuing.handout import Handout
+from gripcourse.usecases.issuing.issue import Issuing
 
 Say = Callable[..., tuple[int, str, str]]
 
@@ -93,6 +96,17 @@ def test_quiet_keeps_problems_and_results(say: Say, monkeypatch: pytest.MonkeyPa
     monkeypatch.setattr("gripcourse.usecases.authoring.validate.validated", lambda _, **__: found)
     assert say("-q", "validate") == (cli.WRONG_USE, "", "a.toml: Wrong. Mend it.\n")
     assert say("-q", "--version")[1]
+
+
+def test_quiet_keeps_whose_documents_could_not_be_made(
+    say: Say, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    lost = Handout("s01", (), (message("The disk is full."),))
+    monkeypatch.setattr(
+        "gripcourse.usecases.issuing.issue.issue_order", lambda *_, **__: Issuing((lost,), ())
+    )
+    asked = ("-q", "issue", "--roster", str(tmp_path / "r.csv"), "--out", str(tmp_path / "out"))
+    assert say(*asked) == (cli.NEEDS_PERSON, "s01: The disk is full.\n", "")
 
 
 def test_verbose_tells_how_it_ended(

@@ -46,6 +46,18 @@ def test_what_was_written_is_read_in_every_language(
     assert filled == asked
 
 
+def test_a_line_that_rubrics_word_otherwise_is_called_by_all_its_texts(
+    policy: Policy, tmp_path: Path
+) -> None:
+    write_marks_table(tmp_path / "marks.csv", items(policy), Words("ru"))
+    headings = (tmp_path / "marks.csv").read_text(encoding="utf-8-sig").splitlines()[0]
+    shared = {id_: texts for id_, texts in lines_of(policy.rubrics.values()).items() if texts[1:]}
+    assert shared
+    for id_, texts in shared.items():
+        assert id_ not in headings.split(";")
+        assert all(text.of("ru") in headings for text in texts)
+
+
 def test_nothing_in_a_cell_runs(policy: Policy, tmp_path: Path) -> None:
     write_marks_table(tmp_path / "marks.csv", items(policy), Words("ru"))
     text = (tmp_path / "marks.csv").read_text(encoding="utf-8-sig")

@@ -141,6 +141,14 @@ def test_who_is_not_in_a_later_list_keeps_the_variant() -> None:
     assert "1 student who has a variant is not in this list" in str(later.notes[0])
 
 
+def test_who_is_new_and_who_is_gone_of_the_same_groups_are_named_together() -> None:
+    register = issued([student("a"), student("b")], table(3))
+    later = extend(register, [student("a"), student("c")], table(3), TERMS)
+    assert "New in this list: c; no longer in it, of the same groups: b." in str(later.notes[-1])
+    part = extend(register, [student("c")], table(3), TERMS)
+    assert "of the same groups" not in "".join(map(str, part.notes))
+
+
 def test_a_corrected_name_and_language_are_taken_over_and_nothing_else() -> None:
     register = issued([student("a")], table(3))
     corrected = replace(student("a"), name="Right Name", language="en", group="РТК-42")

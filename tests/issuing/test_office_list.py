@@ -388,5 +388,14 @@ def test_whoever_was_listed_without_a_group_keeps_the_id_when_the_list_names_one
     roster = read_roster(NamedBytes("list.csv", content), known)
     assert [one.id for one in roster.students] == ["7"]
     content = "ФИО;Группа\nИванов Иван;1\nИванов Иван;2\n".encode()
-    roster = read_roster(NamedBytes("list.csv", content), known)
-    assert [one.id for one in roster.students] == ["иванов-иван", "иванов-иван-2"]
+    with pytest.raises(TableError) as raised:
+        read_roster(NamedBytes("list.csv", content), known)
+    assert [str(one.key) for one in raised.value.problems] == ["row 2", "row 3"]
+
+
+@pytest.mark.parametrize(
+    "row", ["Староста;Абрамова Мария;", ";Староста Абрамова М.Ю.;", "Староста;Абрамова М.Ю.;Р-1"]
+)
+def test_who_is_named_below_a_numbered_list_is_nobody_on_it(row: str) -> None:
+    roster = listed("№ п/п;ФИО;Группа", "1;Абрамова Мария;Р-1", "2;Староста Олег;Р-1", row)
+    assert names(roster) == ["Абрамова Мария", "Староста Олег"]

@@ -167,6 +167,12 @@ def test_made_ids_are_told_apart_and_namesakes_are_asked_about(tmp_path: Path) -
     assert "no id tells both apart" in said
 
 
+def test_names_that_an_old_code_page_damaged_are_named(tmp_path: Path) -> None:
+    path = write(tmp_path, "student,name", "1,Дем?яненко Марія", "2,Коваль Іван")
+    (note,) = read_roster(path).notes
+    assert "was lost when the list was saved: Дем?яненко Марія. Save" in str(note)
+
+
 def test_an_empty_roster_is_a_problem(tmp_path: Path) -> None:
     ((_, said),) = problems_of(write(tmp_path, HEADER))
     assert "no students" in said

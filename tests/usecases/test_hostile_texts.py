@@ -17,7 +17,7 @@ from jinja2 import Environment
 from openpyxl import load_workbook
 
 from gripcourse.cli.grading_text import grading_text
-from gripcourse.cli.text import issuing_text
+from gripcourse.cli.text import issuing_text, unissued_text
 from gripcourse.course.load import load_course
 from gripcourse.documents.handout_list import handout_document
 from gripcourse.documents.kind import SampleDocument
@@ -263,9 +263,11 @@ def test_a_terminal_shows_it_and_obeys_nothing(report: Report, text: str, tmp_pa
         "The documents of {student} could not be made: {reason}", student="s", reason=text
     )
     problem = Problem(text, text, message("'{text}' is not a number.", text=text), lost, text[:5])
+    issuing = Issuing((Handout(text, (), (lost,)),), (lost,))
     for said in (
         grading_text(outcome, tmp_path, Words("en")),
-        issuing_text(Issuing((Handout(text, (), (lost,)),), (lost,)), tmp_path, Words("en")),
+        issuing_text(issuing, tmp_path, Words("en")),
+        unissued_text(issuing, Words("en")),
         problem.say(Words("en")),
     ):
         assert not UNSEEN.search(said)

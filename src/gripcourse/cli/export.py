@@ -173,17 +173,17 @@ def outbox(
 
     words = words_for(language)
     results = open_results(course_folder(course), grades)
-    folders = outbox_folders(results, out)
+    folders, notes = outbox_folders(results, out)
     said = counted("{count} folder is in {folder}; nothing was sent.",
                    "{count} folders are in {folder}; nothing was sent.",
                    len(folders), folder=str(out))  # fmt: skip
     confirm(words.say(said))
-    _leave(results.notes, words)
+    _leave((*results.notes, *notes), words)
 
 
 def _leave(notes: Iterable[Message], words: Words) -> None:
     """Print what a person should look at, and leave with the exit code for it."""
     said = [words.say(note) for note in notes]
     for line in said:
-        confirm(line)
+        typer.echo(line)
     raise typer.Exit(NEEDS_PERSON if said else DONE)

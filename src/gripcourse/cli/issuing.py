@@ -4,6 +4,8 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING, Protocol
 
+import typer
+
 from gripcourse.cli import text as cli_text
 from gripcourse.cli.loudness import confirm
 from gripcourse.cli.options import DONE, NEEDS_PERSON, say_limits
@@ -32,6 +34,9 @@ def issue_with_progress(issue_all: IssueAll, out: Path, words: Words) -> "Issuin
             on_done=lambda _: ticks[0](),
         )
     confirm(cli_text.issuing_text(issuing, out, words))
+    unissued = cli_text.unissued_text(issuing, words)
+    if unissued:
+        typer.echo(unissued)
     return issuing
 
 

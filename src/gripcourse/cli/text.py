@@ -214,7 +214,7 @@ def _some(named: Iterable[str]) -> Message:
 
 
 def issuing_text(issuing: "Issuing", out: Path, words: Words) -> str:
-    """Return what was issued, the notes and what could not be written."""
+    """Return what was issued, and the notes."""
     whole = [one for one in issuing.handouts if not one.faults]
     said = counted(
         "{count} assignment is in {folder}.",
@@ -223,16 +223,20 @@ def issuing_text(issuing: "Issuing", out: Path, words: Words) -> str:
         folder=str(out),
     )
     lines = [words.say(said), *(words.say(note) for note in issuing.notes)]
-    lines += [
-        f"{one_line(one.student)}: {words.say(fault)}"
-        for one in issuing.handouts
-        for fault in one.faults
-    ]
     if issuing.outdated:
         typed = f"gripcourse reissue {' '.join(map(shown, issuing.outdated))} --why …"
         remedy = message("To issue the new numbers as a new version: {typed}", typed=typed)
         lines.append(words.say(remedy))
     return "\n".join(lines)
+
+
+def unissued_text(issuing: "Issuing", words: Words) -> str:
+    """Return whose documents could not be made, and why; nobody may miss it, `--quiet` or not."""
+    return "\n".join(
+        f"{one_line(one.student)}: {words.say(fault)}"
+        for one in issuing.handouts
+        for fault in one.faults
+    )
 
 
 def check_text(checked: "CheckedWorkbook", words: Words) -> str:

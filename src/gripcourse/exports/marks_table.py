@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Final
 from gripcourse.exports.csv_text import text_cell
 from gripcourse.machine.files import write_bytes
 from gripcourse.machine.spreadsheet.table_page import set_table_page
-from gripcourse.policy.rubric import Rubric, RubricLine, lines_of
+from gripcourse.policy.rubric import MOST_TOGETHER, Rubric, RubricLine, column_heading, lines_of
 from gripcourse.text.conventions import is_english
 from gripcourse.text.shown import shown
 from gripcourse.text.words import Words, message
@@ -90,14 +90,15 @@ def _columns(items: Sequence[RowToMark], words: Words) -> Iterator[_MarksColumn]
 
 
 def _headings(rubrics: Sequence[Rubric], words: Words) -> dict[str, str]:
-    """Return the text of each line where it tells the line from all others, else its id."""
+    """Return what each line is called: its text in each rubric where no other is called so."""
     texts = {
         id_: {one.of(words.language) for one in found} for id_, found in lines_of(rubrics).items()
     }
-    every = [text for found in texts.values() for text in found]
+    headings = {id_: column_heading(found) for id_, found in texts.items()}
+    every = list(headings.values())
     return {
-        id_: next(iter(found)) if len(found) == 1 and every.count(next(iter(found))) == 1 else id_
-        for id_, found in texts.items()
+        id_: heading if every.count(heading) == 1 and len(texts[id_]) <= MOST_TOGETHER else id_
+        for id_, heading in headings.items()
     }
 
 

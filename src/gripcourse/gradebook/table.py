@@ -2,10 +2,12 @@
 
 from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass
+from itertools import chain, combinations
 
 from gripcourse.errors import Problem, TableError
 from gripcourse.gradebook.enter import Draft
 from gripcourse.machine.content import Readable
+from gripcourse.policy.rubric import MOST_TOGETHER, column_heading
 from gripcourse.policy.rubric_load import TABLE_COLUMNS
 from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.words import LANGUAGES, Message, Texts, message
@@ -13,6 +15,9 @@ from gripcourse.variants.cells import exact_number
 from gripcourse.variants.headings import by_ids, words_vocabulary
 from gripcourse.variants.sheet import Sheet, SheetRow, cell_place, column_name, read_sheet
 
+_MOST_TOGETHER = (
+    4  # rubrics that word one line otherwise, in one heading; of many there are many sets
+)
 _REQUIRED = ("student", "quantity")
 _FOR_THE_READER = "about:"
 _YES = {"yes", "да", "так", "1", "x", "+"}
@@ -191,5 +196,11 @@ def _heading(sheet: Sheet, column: str, what: Message, remedy: Message) -> Probl
 
 
 def _titles_of(lines: Mapping[str, Collection[Texts]]) -> Iterator[tuple[str, str]]:
+    """Yield what columns may be called: a table has some of the rubrics, maybe not all."""
     for id_, texts in lines.items():
-        yield from ((text.of(language), id_) for text in texts for language in LANGUAGES)
+        for language in LANGUAGES:
+            written = {text.of(language) for text in texts}
+            yield from ((text, id_) for text in written)
+            counts = range(2, min(len(written), MOST_TOGETHER) + 1)
+            together = chain.from_iterable(combinations(written, count) for count in counts)
+            yield from ((column_heading(some), id_) for some in together)

@@ -14,7 +14,7 @@ from gripcourse.text.words import Message, counted, message
 from gripcourse.variants.model import Issued, Student, Variant
 from gripcourse.variants.names import find_variant, without_leading_zeros
 
-_NAMED: Final = 10  # variants that a note names
+_NAMED: Final = 10  # variants or students that a note names
 
 
 @dataclass(frozen=True, slots=True)
@@ -207,13 +207,13 @@ def _notes(
     """Say what was kept although the roster, the table or the deadline says otherwise now."""
     table = {variant.id: variant for variant in variants}
     notes: list[Message] = []
-    absent = 0
+    absent: list[str] = []
     for entry in register.entries:
         name, id_ = entry.student.id, entry.variant.id
         student = roster.get(name)
         if student is None:
             # A part of a group may be listed alone: that is no list of all.
-            absent += 1
+            absent.append(name)
             continue
         now = table.get(id_)
         if now is None:
@@ -234,9 +234,22 @@ def _notes(
             counted(
                 "{count} student who has a variant is not in this list and keeps it.",
                 "{count} students who have a variant are not in this list and keep it.",
-                absent,
+                len(absent),
             )
         )
+        known = register.by_student()
+        groups = {student.group for id_, student in roster.items() if id_ in known}
+        gone = [one for one in absent if known[one].student.group in groups]
+        new = [id_ for id_ in roster if id_ not in known]
+        if gone and new:
+            # One of them may be another of them under a new surname: nothing else tells that.
+            said = message(
+                "New in this list: {new}; no longer in it, of the same groups: {gone}. Is anybody in"
+                " both under another name? Tell it by the id.",
+                new=first_of(new, _NAMED),
+                gone=first_of(gone, _NAMED),
+            )
+            notes.append(said)
     return tuple(notes)
 
 

@@ -1,20 +1,32 @@
 """Ids for students whose list has none: from the mail address, else from the name.
 
-An id once given stays: who is known already by mail address, or by name and group, keeps it.
+An id once given stays: who is known already by mail address, or by name and group, keeps it, also
+where a later list has an id of its own or lost the noughts of the first. Nobody who may be known
+gets a second variant before a person has said so.
 """
 
 import re
 import unicodedata
-from collections.abc import Iterable, Sequence
+from collections.abc import Collection, Iterable, Sequence
 from dataclasses import replace
 from typing import TypeAlias
 
-from gripcourse.text.spelling import plain
+from gripcourse.issuing.same_person import (
+    has_cut_id,
+    has_other_address,
+    has_same_address,
+    has_same_name,
+    is_in_same_group,
+    may_be,
+)
+from gripcourse.text.spelling import as_seen
 from gripcourse.text.words import Message, counted, message
 from gripcourse.variants.model import Student
 
 _NOT_OF_ID = re.compile(r"[^\w.-]+")
+_NUMBER_BEHIND = re.compile(r"-\d+$")
 _LONGEST = 48  # leaves room for a number behind it
+_NAMED = 10  # ids that a note names
 
 Said: TypeAlias = tuple[Message, Message]
 """What is wrong, and the remedy."""
@@ -23,49 +35,117 @@ Said: TypeAlias = tuple[Message, Message]
 def with_ids(
     students: Sequence[Student], known: Sequence[Student]
 ) -> tuple[tuple[Student, ...], tuple[Message, ...], list[tuple[int, Said]]]:
-    """Give an id to each student who has none.
+    """Give everybody the id by which the register knows them, and one to each who has none.
 
     Args:
         students: of one list, names not empty.
         known: of earlier lists, each with an id.
 
     Returns:
-        The students in their order; a note where ids were made; by place in the list those whom
-        nothing tells apart from another one.
+        The students in their order; notes where ids were made, or are others than the list's; by
+        place in the list those whom nothing tells apart from another one, or of whom only a person
+        can say whether the register knows them.
     """
-    nameless = [place for place, one in enumerate(students) if not one.id]
-    if not nameless:
-        return tuple(students), (), []
-    doubles = _doubles(students, nameless)
+    found = [_known_id(one, known, students) for one in students]
+    again = [
+        _as_before(one, known, {*found}) if not id_ else "" for one, id_ in _pairs(students, found)
+    ]
+    ids = [one or other for one, other in zip(found, again, strict=True)]
+    problems = _doubles(students, [place for place, one in enumerate(students) if not one.id])
+    problems += _doubtful(students, ids, known)
     taken = {one.id.casefold() for one in (*students, *known) if one.id}
-    found = list(students)
     made: list[str] = []
-    for place in nameless:
-        student = students[place]
-        id_ = _known_id(student, known, students) or ""
-        if not id_:
-            id_ = _free(_wanted(student), taken)
-            taken.add(id_.casefold())
-            made.append(id_)
-        found[place] = replace(student, id=id_)
-    return tuple(found), _note(made), doubles
+    for place, student in enumerate(students):
+        if not (ids[place] or student.id):
+            ids[place] = _free(_wanted(student.name, student.email), taken)
+            taken.add(ids[place].casefold())
+            made.append(ids[place])
+    all_ = tuple(replace(one, id=id_ or one.id) for one, id_ in _pairs(students, ids))
+    kept = [(one.id, id_) for one, id_ in _pairs(students, again) if id_]
+    return all_, (*_kept_note(kept), *_note(made)), problems
 
 
-def _known_id(student: Student, known: Iterable[Student], listed: Iterable[Student]) -> str | None:
-    """Return the id of the one known student who this is; None for nobody, or several.
+def _pairs(students: Sequence[Student], ids: Sequence[str]) -> list[tuple[Student, str]]:
+    return list(zip(students, ids, strict=True))
+
+
+def _known_id(student: Student, known: Iterable[Student], listed: Iterable[Student]) -> str:
+    """Return the id of the one known student who this is; empty for nobody, or several.
 
     Who was listed without a group may have got one since, where the list has no namesake.
     """
-    alone = sum(_same(one.name, student.name) for one in listed) == 1
-    same = [one for one in known if student.email and _same(one.email, student.email)]
+    if student.id:
+        return student.id if any(one.id == student.id for one in known) else ""
+    alone = sum(has_same_name(one, student) for one in listed) == 1
+    same = [one for one in known if has_same_address(one, student)]
     same = same or [
         one
         for one in known
-        if _same(one.name, student.name)
-        and (_same(one.group, student.group) or (alone and not one.group))
-        and not (one.email and student.email)
+        if has_same_name(one, student)
+        and (is_in_same_group(one, student) or (alone and not one.group))
+        and not has_other_address(one, student)
     ]
-    return same[0].id if len(same) == 1 else None
+    return same[0].id if len(same) == 1 else ""
+
+
+def _as_before(student: Student, known: Iterable[Student], listed: Collection[str]) -> str:
+    """Return the id that somebody had before the list said another; empty for nobody's.
+
+    Either its noughts were cut off, or there was none and it was made.
+    """
+    if not student.id:
+        return ""
+    same = [
+        one
+        for one in known
+        if one.id not in listed
+        and (has_cut_id(student, one) or (_is_made(one) and _is_same(student, one)))
+    ]
+    return same[0].id if len(same) == 1 else ""
+
+
+def _is_same(student: Student, known: Student) -> bool:
+    is_named_so = has_same_name(student, known) and is_in_same_group(student, known)
+    is_one = is_named_so and not has_other_address(student, known)
+    return is_one or has_same_address(student, known)
+
+
+def _may_be(student: Student, known: Student) -> bool:
+    return may_be(student, known, is_told_by_id=bool(student.id) and not _is_made(known))
+
+
+def _is_made(student: Student) -> bool:
+    """Tell whether an id was made here: an office's means more."""
+    wanted = {_wanted(student.name, student.email), _wanted(student.name, "")}
+    return student.id in wanted or _NUMBER_BEHIND.sub("", student.id) in wanted
+
+
+def _doubtful(
+    students: Sequence[Student], ids: Sequence[str], known: Iterable[Student]
+) -> list[tuple[int, Said]]:
+    """Return those new ones who may be known: who changed group, address or the way of writing."""
+    absent = [one for one in known if one.id not in ids]
+    found: list[tuple[int, Said]] = []
+    for place, student in enumerate(students):
+        candidates = () if ids[place] else absent
+        same = next((one for one in candidates if _may_be(student, one)), None)
+        if same is not None:
+            group = f", {same.group}" if same.group else ""
+            what = message(
+                "'{name}' may be '{known}' ({id}{group}), who has a variant and is not in this"
+                " list.",
+                name=student.name,
+                known=same.name,
+                id=same.id,
+                group=group,
+            )
+            remedy = message(
+                "The same person: write the id {id} into the row. Somebody else: write both into"
+                " the list, each with an id.",
+                id=same.id,
+            )
+            found.append((place, (what, remedy)))
+    return found
 
 
 def _doubles(students: Sequence[Student], nameless: Sequence[int]) -> list[tuple[int, Said]]:
@@ -75,9 +155,9 @@ def _doubles(students: Sequence[Student], nameless: Sequence[int]) -> list[tuple
     for place in nameless:
         student = students[place]
         key = (
-            (plain(student.email),)
+            (as_seen(student.email),)
             if student.email
-            else (plain(student.name), plain(student.group))
+            else (as_seen(student.name), as_seen(student.group))
         )
         if key in seen:
             what = (
@@ -93,8 +173,8 @@ def _doubles(students: Sequence[Student], nameless: Sequence[int]) -> list[tuple
     return found
 
 
-def _wanted(student: Student) -> str:
-    source = student.email.partition("@")[0] or "-".join(student.name.split())
+def _wanted(name: str, email: str) -> str:
+    source = email.partition("@")[0] or "-".join(name.split())
     made = _NOT_OF_ID.sub("-", unicodedata.normalize("NFC", source).casefold())
     return made[:_LONGEST].strip("-.") or "student"
 
@@ -106,6 +186,18 @@ def _free(wanted: str, taken: set[str]) -> str:
         number += 1
         id_ = f"{wanted}-{number}"
     return id_
+
+
+def _kept_note(kept: Sequence[tuple[str, str]]) -> tuple[Message, ...]:
+    if not kept:
+        return ()
+    pairs = [f"{written} → {id_}" for written, id_ in kept[:_NAMED]]
+    said = message(
+        "Who is in the register already keeps the id there, although the list has another:"
+        " {pairs}.",
+        pairs=", ".join(pairs) + (", …" if len(kept) > _NAMED else ""),
+    )
+    return (said,)
 
 
 def _note(made: Sequence[str]) -> tuple[Message, ...]:
@@ -120,7 +212,3 @@ def _note(made: Sequence[str]) -> tuple[Message, ...]:
         first=made[0],
     )
     return (said,)
-
-
-def _same(one: str, other: str) -> bool:
-    return plain(one) == plain(other)

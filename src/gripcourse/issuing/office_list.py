@@ -19,6 +19,7 @@ _SHOWN: Final = 40  # signs of a row that is left out
 # Behind the first words of a sum or a signature: nothing, a colon or a dash, a number. Somebody's
 # surname may be such a word; a first name follows it.
 _BEHIND: Final = re.compile(r"\s*(?:$|[-:(]|\d|студент|чел|student|осіб)")
+_BLANK: Final = re.compile(r"\s")
 _NUMBERED: Final = re.compile(r"\s*\d{1,4}\s*[.)]\s*(?=\w)")
 # What stands in a line that a form asks somebody to fill in, or before a note; in nobody's name.
 _OF_A_FORM: Final = re.compile(r":|_{3}|\.{4}|…{2}|^\s*[*†]")
@@ -53,7 +54,10 @@ def with_somebody(
         columns: of it, by id.
         vocabulary: what columns may be called: a long list repeats its headings.
     """
-    reader = _Rows({id_: one.position for id_, one in columns.items()}, vocabulary)
+    places = {id_: one.position for id_, one in columns.items()}
+    ordinal = places.get("ordinal")
+    is_numbered = ordinal is not None and any(_is_number(row.cells[ordinal]) for row in sheet.rows)
+    reader = _Rows(places, vocabulary, is_numbered)
     nobody: list[SheetRow] = []
     kept: list[SheetRow] = []
     for row in sheet.rows:
@@ -147,6 +151,10 @@ def _with_cells(sheet: Sheet, place: int, changed: Callable[[str], str]) -> Shee
     return replace(sheet, rows=tuple(map(row_of, sheet.rows)))
 
 
+def _is_number(ordinal: str) -> bool:
+    return ordinal.strip().rstrip(".").isdecimal()
+
+
 @dataclass(frozen=True, slots=True)
 class _Rows:
     """How the rows of a list are looked at.
@@ -154,39 +162,43 @@ class _Rows:
     Attributes:
         places: of its columns, by id.
         vocabulary: what columns may be called.
+        is_numbered: whether people have running numbers.
     """
 
     places: Mapping[str, int]
     vocabulary: Vocabulary
+    is_numbered: bool
 
     def names_nobody(self, row: SheetRow) -> bool:
         """Tell whether a row is of the form, a sum, a signature or headings once more."""
         own = {id_: row.cells[at].strip() for id_, at in self.places.items()}
         ordinal = own.pop("ordinal", "")
-        if not any(own.values()):
-            return True
-        if self._repeats_headings(own):
+        if not any(own.values()) or self._repeats_headings(own):
             return True
         name = " ".join(filter(None, (own.get(one) for one in _OF_NAMES)))
         if not name:
             # An id of several words is none; without a name it is what somebody wrote below.
             texts = [ordinal, *(text for id_, text in own.items() if id_ != "email")]
             return " " in own.get("student", "") or any(self._is_closing(one) for one in texts)
-        if ordinal.rstrip(".").isdecimal() and any(map(str.isalpha, name)):
+        if _is_number(ordinal) and any(map(str.isalpha, name)):
             return False
-        known = own.get("student") or own.get("email")
-        is_number = not known and not any(map(str.isalpha, name))
-        return is_number or (not own.get("email") and self._is_closing(name))
+        if own.get("email"):
+            return False
+        # "Monitor Smith" is somebody's name, but not below people who have numbers.
+        is_below = self.is_numbered and self._is_closing(name, _BLANK)
+        is_without_id = is_below or not any(map(str.isalpha, name))
+        is_closing = self._is_closing(ordinal) or self._is_closing(name)
+        return is_closing or (is_without_id and not own.get("student"))
 
     def _repeats_headings(self, own: Mapping[str, str]) -> bool:
         cells = [(id_, text) for id_, text in own.items() if text]
         return all(id_ in self.vocabulary.find(text) for id_, text in cells)
 
     @staticmethod
-    def _is_closing(text: str) -> bool:
+    def _is_closing(text: str, behind: re.Pattern[str] = _BEHIND) -> bool:
         """Tell whether a text begins as a sum or a signature does, or is a line of a form."""
         written = plain(text)
         return _OF_A_FORM.search(text) is not None or any(
-            written.startswith(word) and _BEHIND.match(written, len(word)) is not None
+            written.startswith(word) and behind.match(written, len(word)) is not None
             for word in declared_names("nobody")
         )

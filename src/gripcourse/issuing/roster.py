@@ -16,7 +16,7 @@ from gripcourse.issuing.office_list import PARTS_OF_NAME
 from gripcourse.issuing.people_list import lists_in
 from gripcourse.machine.content import Readable
 from gripcourse.machine.enclosed import LONGEST_NAME, is_file_name
-from gripcourse.text.spelling import plain
+from gripcourse.text.spelling import LOST_SIGN, as_seen, plain
 from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.words import LANGUAGES, Message, message
 from gripcourse.variants.headings import TableColumn, declared_names
@@ -24,11 +24,10 @@ from gripcourse.variants.model import Student
 from gripcourse.variants.sheet import Sheet, SheetRow, cell_place
 
 _ID = re.compile(r"[\w-][\w.-]*")
+_NAMED = 10  # students whom a note names
 # Signs of what is printed beside a student's work: nobody's name is longer, and a word of ten
 # thousand letters takes half a minute to lay out.
 _LONGEST = {"name": 255, "group": 100, "email": 254, "variant": LONGEST_NAME}
-# Cyrillic letters that look like Latin ones, in small or in capital letters.
-_ALIKE = str.maketrans("авсенһіјкмоԛрѕтухԝԁѵ", "abcehhijkmoqpstyxwdv")
 
 
 @dataclass(frozen=True, slots=True)
@@ -93,7 +92,21 @@ def read_roster(
     unused = (note for one in lists for note in one.sheet.notes)
     left_out = (note for one in lists for note in one.left_out)
     groups = groups_note([one.groups for one in lists])
-    return Roster(students, _each_once((*unused, *of_file, *groups, *left_out, *made)))
+    lost = _lost_note(students)
+    return Roster(students, _each_once((*unused, *of_file, *groups, *left_out, *lost, *made)))
+
+
+def _lost_note(students: Iterable[Student]) -> tuple[Message, ...]:
+    """Name whose name was damaged when the list was saved in an old code page."""
+    names = [one.name for one in students if LOST_SIGN in one.name]
+    if not names:
+        return ()
+    said = message(
+        "A letter of these names was lost when the list was saved: {names}. Save it again as"
+        " “CSV UTF-8” or .xlsx.",
+        names=", ".join(names[:_NAMED]) + (", …" if len(names) > _NAMED else ""),
+    )
+    return (said,)
 
 
 def _each_once(notes: Iterable[Message]) -> tuple[Message, ...]:
@@ -201,12 +214,15 @@ class _Read:
 
 
 def _refuse_doubles(read: Sequence[_Read]) -> None:
-    """Record ids and fixed variants that stand in two rows, of one list or of two."""
+    """Record ids and fixed variants that stand in two rows, of one list or of two.
+
+    Windows and macOS take names that differ in capitals for one folder.
+    """
     ids: dict[str, _Read] = {}
     variants: dict[str, _Read] = {}
     for one in read:
         student = one.student
-        first = ids.setdefault(_seen(student.id), one)
+        first = ids.setdefault(as_seen(student.id), one)
         if student.id and first is not one:
             said = _taken(student.id, first.student.id, first.row_name)
             one.reader.add(one.row, "student", *said)
@@ -218,15 +234,6 @@ def _refuse_doubles(read: Sequence[_Read]) -> None:
                         variant=student.variant, row=other.row_name),
                 message("Fix another one, or leave the cell blank for the next free one."),
             )  # fmt: skip
-
-
-def _seen(id_: str) -> str:
-    """Return what a person or a system sees of an id.
-
-    Windows and macOS take names that differ in capitals for one folder, and nobody tells a Cyrillic
-    letter from a Latin one of the same look.
-    """
-    return unicodedata.normalize("NFKC", id_).casefold().translate(_ALIKE)
 
 
 def _taken(id_: str, other: str, row: str) -> tuple[Message, Message]:

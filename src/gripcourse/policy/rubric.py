@@ -2,8 +2,12 @@
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
+from typing import Final
 
 from gripcourse.text.words import Texts
+
+MOST_TOGETHER: Final = 4
+"""Texts of a line in one heading; of more there are too many sets to know them all again."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -74,3 +78,8 @@ def lines_of(rubrics: Iterable[Rubric]) -> dict[str, list[Texts]]:
         for line in rubric.lines:
             found.setdefault(line.id, []).append(line.text)
     return found
+
+
+def column_heading(texts: Iterable[str]) -> str:
+    """Return the heading of one column for a line that rubrics word otherwise, each its own way."""
+    return " / ".join(sorted(set(texts)))

@@ -14,6 +14,8 @@ _HYPHENS: Final = "‐‑–—−"
 _SAME: Final = str.maketrans(
     {"ё": "е", **dict.fromkeys(APOSTROPHES, "'"), **dict.fromkeys(_HYPHENS, "-")}
 )
+# Cyrillic letters that look like Latin ones, in small or in capital letters.
+_ALIKE: Final = str.maketrans("авсенһіјкмоԛрѕтухԝԁѵ", "abcehhijkmoqpstyxwdv")
 _LETTERS: Final = "абвгґдеєжзиіїйклмнопрстуфхцчшщъыьэюя"
 _PRIVATE: Final = 0xE000  # behind all other letters
 _IN_ORDER: Final = str.maketrans(
@@ -26,6 +28,11 @@ def plain(text: str) -> str:
     """Return a text without what people do not see: capitals, spare blanks, sorts of one sign."""
     folded = unicodedata.normalize("NFC", text).casefold().translate(_SAME)
     return " ".join(folded.split())
+
+
+def as_seen(text: str) -> str:
+    """Return a plain text in which letters that look the same are: Cyrillic, Latin, wide ones."""
+    return unicodedata.normalize("NFKC", plain(text)).translate(_ALIKE)
 
 
 def alphabetical(text: str) -> list[str | int]:

@@ -13,11 +13,15 @@ from gripcourse.exports.platforms.works import works_of
 from gripcourse.grading.model import Report
 from gripcourse.text.words import Words
 from gripcourse.usecases.grading.batch_tables import json_text
+from gripcourse.usecases.grading.grade import REPORTS
+from gripcourse.usecases.grading.points_told import points_told
+from gripcourse.usecases.grading.unchanged import PrintedBefore
 from gripcourse.usecases.publishing.exporting import (
     Results,
     gradescope_file,
     moodle_files,
     open_results,
+    outbox_folders,
 )
 from support.reports import perfect, values, variant
 
@@ -94,3 +98,42 @@ def test_a_comment_is_in_the_language_of_the_student_it_is_for(
     filled, _ = moodle_files(results, worksheet, out, None)
     assert filled.filled == 1
     assert said in out.read_text(encoding="utf-8-sig")
+
+
+def test_a_letter_without_a_report_promises_none(
+    issued: "Classroom", perfect: Report, tmp_path: Path
+) -> None:
+    results = replace(several(issued, perfect, True), reports=tmp_path)
+    report = tmp_path / "s01.pdf"
+    report.write_bytes(b"%PDF")
+    (folder,), notes = outbox_folders(results, tmp_path / "out")
+    with_report = (folder / "message.txt").read_text(encoding="utf-8")
+    assert (notes, (folder / "report.pdf").read_bytes()) == ((), b"%PDF")
+    report.unlink()
+    _, (note,) = outbox_folders(results, tmp_path / "out")
+    without = (folder / "message.txt").read_text(encoding="utf-8")
+    assert "s01" in str(note)
+    assert not (folder / "report.pdf").exists()
+    assert with_report.startswith(without.rstrip("\n"))
+    assert len(with_report) > len(without)
+
+
+def test_a_report_of_other_points_than_the_grades_is_taken_nowhere(
+    issued: "Classroom", perfect: Report, tmp_path: Path
+) -> None:
+    report = replace(perfect, student="s01")
+    path = tmp_path / REPORTS / "s01.pdf"
+    path.parent.mkdir()
+    path.write_bytes(b"%PDF")
+    printed = PrintedBefore(tmp_path / ".graded" / "printed", "all that documents are made with")
+    printed.note(path, "this report", points_told(report, Words("ru")))
+    assert printed.stands(path, "this report")
+    written = json_text([report], Words("en"))
+    (tmp_path / "grades.json").write_text(written, encoding="utf-8")
+    results = open_results(issued.course.root, tmp_path)
+    (work,) = results.works
+    assert results.report_of(work) == path
+    later = replace(work, report=replace(work.report, earned=1.0))
+    assert results.report_of(later) is None
+    path.write_bytes(b"%PDF, by another program")
+    assert results.report_of(later) == path

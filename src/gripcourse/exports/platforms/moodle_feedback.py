@@ -23,26 +23,46 @@ _READABLE: Final = 0o644
 
 
 def feedback_zip(
-    filled: FilledWorksheet, report_of: Callable[[GradedWork], Path], words: Words
+    filled: FilledWorksheet, report_of: Callable[[GradedWork], Path | None], words: Words
 ) -> tuple[bytes, tuple[Message, ...]]:
     """Return the zip, the same bytes for the same reports, and notes on works without a report.
 
     Args:
         filled: the worksheet with its grades.
-        report_of: tells where a work's report lies.
+        report_of: tells where a work's report lies; None where there is none that fits the grades.
         words: the language of the names of files.
     """
     stream, notes = io.BytesIO(), []
     with zipfile.ZipFile(stream, "w", zipfile.ZIP_DEFLATED) as archive:
         for row, work in _of_works(filled):
             report = report_of(work)
-            if not row.number or not report.is_file():
-                notes.append(message("There is no report of {student}.", student=work.said))
+            if report is None:
+                notes.append(no_report(work))
+                continue
+            if not row.number:
+                notes.append(_no_number(work))
                 continue
             info = zipfile.ZipInfo(feedback_name(row, work, words), _EPOCH)
             info.external_attr = _READABLE << 16
             archive.writestr(info, report.read_bytes(), zipfile.ZIP_DEFLATED)
     return stream.getvalue(), tuple(notes)
+
+
+def no_report(work: GradedWork) -> Message:
+    """Say that a work has no report, or one of an earlier grading, and what to do."""
+    return message(
+        "No report of {student} tells the points of these grades: grade again without"
+        " --grades-only.",
+        student=work.said,
+    )
+
+
+def _no_number(work: GradedWork) -> Message:
+    return message(
+        "The report of {student} is not in the zip: the worksheet has no number of this row, by"
+        " which Moodle would find whose it is.",
+        student=work.said,
+    )
 
 
 def feedback_name(row: PlatformRow, work: GradedWork, words: Words) -> str:

@@ -20,6 +20,7 @@ from gripcourse.machine.jobs.workers import Lost, run_each
 from gripcourse.policy.model import Policy
 from gripcourse.solver.plan import plan_of
 from gripcourse.text.words import Words
+from gripcourse.usecases.grading.points_told import points_told
 from gripcourse.usecases.grading.unchanged import PrintedBefore, told_of
 
 # A report takes about a second, a hundred times as much is no report any more.
@@ -139,7 +140,7 @@ def write_reports(  # noqa: PLR0913 (the last ones are what everybody leaves as 
             number = to_do[place]
             outcomes[number] = _keep(pdf, paths[number])
             if printed and isinstance(pdf, bytes) and (path := paths[number]):
-                printed.note(path, made_from[number])
+                printed.note(path, made_from[number], _points(reports[number], printing))
             on_done(Path(reports[number].file))
         return outcomes
 
@@ -148,6 +149,10 @@ def _made_from(report: Report, printing: Printing) -> str:
     """Tell what of this batch a report is made from; `PrintedBefore` knows the rest."""
     words = Words(report.language or printing.course.language)
     return told_of((report, peers_text(report, printing.policy, words, printing.peers)))
+
+
+def _points(report: Report, printing: Printing) -> str:
+    return points_told(report, Words(report.language or printing.course.language))
 
 
 def _lay_out(report: Report, shared: tuple[LayOut, Printing]) -> bytes:

@@ -49,19 +49,24 @@ class PrintedBefore:
     def stands(self, path: Path, made_from: str) -> bool:
         """Tell whether a document is there, untouched, and was made from just this."""
         try:
-            before, _, content = self._note(path).read_text(encoding="utf-8").partition("\n")
+            before, content, _ = _read_note(self._note(path))
             # The file is long: it is read where nothing else speaks against it.
             return before == self._before(made_from) and content == _content_of(path)
         except (OSError, UnicodeDecodeError):
             return False
 
-    def note(self, path: Path, made_from: str) -> None:
+    def note(self, path: Path, made_from: str, points: str = "") -> None:
         """Note what a document was made from, after it was written.
+
+        Args:
+            path: of the document.
+            made_from: digest of what it is made from.
+            points: digest of those it tells; empty where it is no student's report.
 
         Raises:
             OSError: the document cannot be read, or the note cannot be written.
         """
-        noted = f"{self._before(made_from)}\n{_content_of(path)}"
+        noted = f"{self._before(made_from)}\n{_content_of(path)}\n{points}"
         write_text(self._note(path), noted, private=True)
 
     def lines_of(self, path: Path) -> LinesBefore:
@@ -69,10 +74,32 @@ class PrintedBefore:
         return LinesBefore(self.folder / f"{path.name}.lines", self.made_with)
 
     def _note(self, path: Path) -> Path:
-        return self.folder / f"{path.name}.sha256"
+        return _note_in(self.folder, path)
 
     def _before(self, made_from: str) -> str:
         return digest_of_texts([self.made_with, made_from])
+
+
+def points_noted(path: Path) -> str:
+    """Return the digest of the points that a student's report tells.
+
+    Empty where nobody noted it, or the report was written by others since.
+    """
+    try:
+        _, content, points = _read_note(_note_in(path.parent.parent / EARLIER / _PRINTED, path))
+        return points if points and content == _content_of(path) else ""
+    except (OSError, UnicodeDecodeError):
+        return ""
+
+
+def _note_in(folder: Path, path: Path) -> Path:
+    return folder / f"{path.name}.sha256"
+
+
+def _read_note(path: Path) -> tuple[str, str, str]:
+    """Return what a document was made from, its content and its points; each may be empty."""
+    lines = [*path.read_text(encoding="utf-8").split("\n"), "", ""]
+    return lines[0], lines[1], lines[2]
 
 
 def _content_of(path: Path) -> str:

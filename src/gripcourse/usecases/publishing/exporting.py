@@ -18,7 +18,7 @@ from gripcourse.exports.csv_text import text_cell
 from gripcourse.exports.platforms.canvas import FilledGradebook, fill_gradebook
 from gripcourse.exports.platforms.comment import comment_html, comment_lines
 from gripcourse.exports.platforms.gradescope import gradescope_results
-from gripcourse.exports.platforms.moodle_feedback import feedback_zip
+from gripcourse.exports.platforms.moodle_feedback import feedback_zip, no_report
 from gripcourse.exports.platforms.moodle_worksheet import (
     FilledWorksheet,
     fill_worksheet,
@@ -37,6 +37,7 @@ from gripcourse.policy.load import load_policy
 from gripcourse.text.words import Message, Words, message
 from gripcourse.usecases.grading.batch_tables import GRADES_JSON
 from gripcourse.usecases.grading.grade import REPORTS
+from gripcourse.usecases.grading.points_told import says_other_points
 from gripcourse.variants.model import Student
 from gripcourse.variants.names import find_variant
 from gripcourse.variants.table import read_table
@@ -66,9 +67,10 @@ class Results:
     works: tuple[GradedWork, ...]
     notes: tuple[Message, ...]
 
-    def report_of(self, work: GradedWork) -> Path:
-        """Tell where the report of a work lies."""
-        return self.reports / f"{work.report.student}.pdf"
+    def report_of(self, work: GradedWork) -> Path | None:
+        """Tell where the report of a work lies; None where none tells the points of the grades."""
+        path = self.reports / f"{work.report.student}.pdf"
+        return path if path.is_file() and not says_other_points(path, work.report) else None
 
     def words_of(self, student: str) -> Words:
         """Return the words in which a student is told something: their own, or the course's."""
@@ -179,34 +181,39 @@ def table_files(results: Results, out: Path, gradebook: str) -> tuple[Path, ...]
     return tuple(out / name for name in written)
 
 
-def outbox_folders(results: Results, out: Path) -> tuple[Path, ...]:
+def outbox_folders(results: Results, out: Path) -> tuple[tuple[Path, ...], tuple[Message, ...]]:
     """Write a folder for each student: a text to send, the report, and a list of addresses.
 
     Returns:
-        The folders. Nothing is sent.
+        The folders, and notes on works without a report. Nothing is sent.
     """
     stream = io.StringIO(newline="")
     table = csv.writer(stream)
     table.writerow(("student", "name", "email", "folder"))
-    folders = []
+    folders, notes = [], []
     for work in results.works:
         folder = out / work.report.student
-        write_text(folder / _TEXT, _letter(results, work), private=True)
         report = results.report_of(work)
-        if report.is_file():
+        text = _letter(results, work, has_report=report is not None)
+        write_text(folder / _TEXT, text, private=True)
+        if report is None:
+            # Of an earlier time it would say something else than the text.
+            (folder / _REPORT).unlink(missing_ok=True)
+            notes.append(no_report(work))
+        else:
             write_bytes(folder / _REPORT, report.read_bytes(), private=True)
         told = (work.report.student, work.report.name, work.email, folder.name)
         table.writerow([text_cell(one) for one in told])
         folders.append(folder)
     write_bytes(out / _LIST, stream.getvalue().encode("utf-8-sig"), private=True)
-    return tuple(folders)
+    return tuple(folders), tuple(notes)
 
 
-def _letter(results: Results, work: GradedWork) -> str:
+def _letter(results: Results, work: GradedWork, *, has_report: bool) -> str:
     """Return the text for a student, in the student's language."""
     words = results.words_of(work.report.student)
     course = results.course.title.of(words.language)
-    lines = (
+    lines = [
         words.say(message("To: {address}", address=work.email or "—")),
         words.say(message("Subject: {course}: your result", course=course)),
         "",
@@ -214,9 +221,9 @@ def _letter(results: Results, work: GradedWork) -> str:
         "",
         words.say(message("your work was graded (variant {id}):", id=work.report.variant)),
         *comment_lines(work, results.course, words),
-        "",
-        words.say(message("The attached report says what was found, and why.")),
-    )
+    ]
+    if has_report:
+        lines += ["", words.say(message("The attached report says what was found, and why."))]
     return "\n".join(lines) + "\n"
 
 
