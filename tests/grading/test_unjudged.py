@@ -79,7 +79,7 @@ def test_an_unknown_student_and_an_unnamed_one_are_told_apart(student: str, said
 def test_each_reason_why_cells_cannot_be_read_names_the_cells(hydraulic: "Case") -> None:
     names = list(hydraulic.answers)[:4]
     read = hydraulic.submission(dict.fromkeys(names, "?"))
-    cells = ("1. Схема!E6", "1. Схема!E8", "2. Привод!E7", "2. Привод!E9")
+    cells = ("1. Схема!E11", "2. Привод!E7", "1. Схема!E8", "2. Привод!E9")
     unread = {
         name: replace(read.answers[name], cell=cell)
         for name, cell in zip(names, cells, strict=True)
@@ -87,7 +87,7 @@ def test_each_reason_why_cells_cannot_be_read_names_the_cells(hydraulic: "Case")
     unread[names[3]] = replace(unread[names[3]], remarks=(message("One number, please."),))
     report = unreadable_report(replace(read, answers=unread), hydraulic.issued)
     assert [str(one) for one in report.remarks[1:]] == [
-        "1. Схема!E6, E8; 2. Привод!E7: A number is needed here.",
+        "1. Схема!E8, E11; 2. Привод!E7: A number is needed here.",
         "2. Привод!E9: One number, please.",
     ]
 

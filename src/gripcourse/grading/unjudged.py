@@ -2,7 +2,6 @@
 
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
-from itertools import groupby
 
 from gripcourse.grading.model import Flag, FlagCode, Report
 from gripcourse.submission.model import Answer, Reading, Rejected, Submission
@@ -65,12 +64,17 @@ def _reasons(unread: Sequence[Answer]) -> Iterator[Message]:
 
 def _cells(answers: Sequence[Answer]) -> str:
     """Name cells, the sheet before those that stand on it: `1. Scheme!E6, E8; 2. Drive!E7`."""
-    places = [one.cell.rpartition("!") for one in answers[:_TOLD]]
-    sheets = (
-        f"{sheet}!{', '.join(cell for _, _, cell in those)}"
-        for sheet, those in groupby(places, key=lambda place: place[0])
-    )
-    return "; ".join(sheets) + (", …" if len(answers) > _TOLD else "")
+    sheets: dict[str, list[str]] = {}
+    for sheet, _, cell in sorted(map(_place, answers))[:_TOLD]:
+        sheets.setdefault(sheet, []).append(cell)
+    named = "; ".join(f"{sheet}!{', '.join(cells)}" for sheet, cells in sheets.items())
+    return named + (", …" if len(answers) > _TOLD else "")
+
+
+def _place(answer: Answer) -> tuple[str, int, str]:
+    """Return the sheet and the cell of an answer, with what sets `E9` before `E10`."""
+    sheet, _, cell = answer.cell.rpartition("!")
+    return sheet, len(cell), cell
 
 
 def unknown_student_report(file: str, student: str, digest: str) -> Report:
