@@ -29,6 +29,10 @@ _SHORT: Final = re.compile(
 _ENDS: Final = re.compile(r"[/–-](?=.)")  # after which a line may end
 _JOINER: Final = "\N{WORD JOINER}"
 
+# `cos χ`, `= h_1 + h_2`: what a function is of, and what follows a sign of relation.
+_FUNCTION: Final = re.compile(r"(?<![^\W_])(sin|cos|tan|tg|ctg) (?=\d|[^\W\d_](?![^\W_]))")
+_RELATION: Final = re.compile(r"(?<= )([=<>≤≥≠≈]) (?=\S)")
+
 # `ISO 5292`, `ГОСТ Р 52543`: capitals and a number.
 _STANDARD: Final = re.compile(r"(?<=[^\W\d_a-zа-яёіїєґ]{2}) (?=\d)")
 
@@ -77,9 +81,11 @@ def _raised(escaped: str) -> str:
 
 
 def _kept_together(title: object) -> str:
-    """Let no line end before or in a unit, at the minus of a formula, in the name of a standard."""
+    """Let no line end before or in a unit, after a sign of a formula, in the name of a standard."""
     together = _before_a_unit().sub(NO_BREAK_SPACE, str(seen(title)))
     together = _STANDARD.sub(NO_BREAK_SPACE, together)
+    for joined in (_FUNCTION, _RELATION):
+        together = joined.sub(rf"\1{NO_BREAK_SPACE}", together)
     together = _inside_a_unit().sub(rf"\g<0>{_JOINER}", together)
     return together.replace(" − ", f"{NO_BREAK_SPACE}−{NO_BREAK_SPACE}")
 
