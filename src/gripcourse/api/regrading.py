@@ -134,7 +134,7 @@ def undo_regrade(gradebook: str | Path, *, by: str, why: str) -> "Regrade":
 def publish(
     gradebook: str | Path, *, by: str, students: Iterable[str] = ()
 ) -> "tuple[Published, ...]":
-    """Keep that students are told their results: from now on only a regrade changes them.
+    """Record that students know their results: from now on only a regrade changes them.
 
     Raises:
         GripcourseError: of a student nothing has been graded.

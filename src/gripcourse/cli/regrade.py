@@ -144,7 +144,7 @@ def publish(
     course: CourseOption = None,
     language: LanguageOption = None,
 ) -> None:
-    """Keep that students are told their results: from now on only a regrade changes them."""
+    """Record that students know their results: from now on only a regrade changes them."""
     from gripcourse.gradebook.journal import Signed
     from gripcourse.usecases.marks import regrade as command
 

@@ -146,7 +146,7 @@ def apply_regrade(
                 "",
                 "",
                 message(
-                    "{student} was told {before} points and would get {after}.",
+                    "{before} points were published to {student}, who would get {after}.",
                     student=one.work.student,
                     before=round(one.before.score, 2),
                     after=round(one.after.score, 2),
@@ -177,7 +177,7 @@ def undo_regrade(place: str, signed: Signed) -> Regrade:
 
 
 def publish(place: str, students: Iterable[str], signed: Signed) -> tuple[Published, ...]:
-    """Keep that students are told their results: from now on only a regrade changes them.
+    """Record that students know their results: from now on only a regrade changes them.
 
     Args:
         place: of the gradebook.
