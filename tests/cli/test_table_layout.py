@@ -1,5 +1,8 @@
 """A table that fits is laid out as the library does it that also breaks lines."""
 
+import sys
+
+import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -36,3 +39,16 @@ def test_what_does_not_fit_is_left_to_the_library() -> None:
     assert plain_table(heads, [["u1.xlsx", "two\nlines"]], set()) is None
     assert plain_table(heads, [["u1.xlsx", "blank"]], set()) is not None
     assert table_text(heads, [row], set()).count("\n") == 4
+
+
+@pytest.mark.parametrize(("columns", "widest"), [(80, 80), (20, 60), (200, 110)])
+def test_a_terminal_shows_no_line_that_is_wider_than_it_and_all_of_a_name(
+    columns: int, widest: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(sys.stdout, "isatty", lambda: True)
+    monkeypatch.setenv("COLUMNS", str(columns))
+    name = "Константинопольский-" * 6 + "Черноризский"
+    lines = table_text(["file", "student"], [["s01.xlsx", name]], ()).split("\n")
+    assert max(map(len, lines)) <= widest
+    *_, shown_name = "".join("".join(lines[3:]).split()).partition("s01.xlsx")
+    assert shown_name == name

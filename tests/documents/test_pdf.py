@@ -45,7 +45,7 @@ def document() -> Document:
         ("speed v_1 of the belt", "speed v1 of the belt"),
         ("коэффициент K_тр", "коэффициент Kтр"),
         ("file a_b_c.csv, key no_value", "file a_b_c.csv, key no_value"),
-        ("a < b", "a &lt; b"),
+        ("a < b", "a &lt;\u00a0b"),
     ],
 )
 def test_a_symbol_in_a_title_looks_as_in_a_formula(templates: Path, title: str, shown: str) -> None:
@@ -65,9 +65,9 @@ def test_a_power_of_a_symbol_stands_above_its_subscript(templates: Path) -> None
 @pytest.mark.parametrize(
     ("title", "shown"),
     [
-        ("Nu = 0.023·Re^(0,8)", "Nu = 0.023·Re<sup>0,8</sup>"),
+        ("Nu = 0.023·Re^(0,8)", "Nu =\u00a00.023·Re<sup>0,8</sup>"),
         ("v^−0.09 below 10^4", "v<sup>−0.09</sup> below 10<sup>4</sup>"),
-        ("e^(f·α) < 2", "e<sup>f·α</sup> &lt; 2"),
+        ("e^(f·α) < 2", "e<sup>f·α</sup> &lt;\u00a02"),
         ("a caret ^ alone", "a caret ^ alone"),
     ],
 )
@@ -100,6 +100,8 @@ def test_no_line_ends_inside_the_name_of_a_standard(templates: Path) -> None:
         ("else √(σ_b/[σ]_b) & more", ["√(σb/[σ]b)"]),
         ("ratio P/F, or b/d", ["P/\u2060F,", "b/\u2060d"]),
         ("a & b/d", ["b/\u2060d"]),
+        ("6·G·e/l² at its end", ["6·G·e/\u2060l²"]),
+        ("flow, л/мин; m/s² and kg/m³", ["л/\u2060мин;", "m/\u2060s²", "kg/\u2060m³"]),
         ("formulas (12–14)", ["(12–\u206014)"]),
         ("jaw/drive, and/or, 1999/ISO", []),
     ],
@@ -132,6 +134,17 @@ def test_no_line_ends_at_a_minus(templates: Path) -> None:
     title = "near u·(1 − ε) — or not"
     page = render_html(Document("title.html.j2", (), {"title": title}), templates, Words("en"))
     assert page == "near u·(1\u00a0−\u00a0ε) — or not"
+
+
+def test_no_line_ends_between_a_function_and_what_it_is_of_nor_behind_a_relation(
+    templates: Path,
+) -> None:
+    (templates / "title.html.j2").write_text("{{ title | prose }}", encoding="utf-8")
+    title = "grows as cos χ/2, a tan of 3 and tg 20°: L = a + b ≥ 5"
+    page = render_html(Document("title.html.j2", (), {"title": title}), templates, Words("en"))
+    assert page == "grows as cos~χ/^2, a tan of 3 and tg~20°: L =~a + b ≥~5".translate(
+        {ord("~"): "\u00a0", ord("^"): "\u2060"}
+    )
 
 
 def test_the_same_content_gives_the_same_bytes(templates: Path, document: Document) -> None:

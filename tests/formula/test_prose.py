@@ -38,6 +38,15 @@ def test_where_there_is_one_look_a_subscript_is_small_signs_or_stands_beside(
     assert without_looks(text) == plain
 
 
+def test_a_subscript_of_two_abbreviated_words_ends_before_the_end_of_a_sentence() -> None:
+    assert list(subscript_runs("не менее d_в.тр.")) == [
+        ("не менее d", False),
+        ("в.тр", True),
+        (".", False),
+    ]
+    assert without_looks("F_t. Далее k_0.5") == "Fₜ. Далее k₀.5"
+
+
 def test_a_subscript_of_two_parts_is_one_and_a_list_is_none() -> None:
     assert list(subscript_runs("not below w_2,req;")) == [
         ("not below w", False),

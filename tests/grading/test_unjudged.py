@@ -1,11 +1,17 @@
 """Files that could not be judged are no zeros."""
 
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import pytest
 
 from gripcourse.grading.model import Report
-from gripcourse.grading.unjudged import incident_report, rejected_report, unknown_student_report
+from gripcourse.grading.unjudged import (
+    incident_report,
+    rejected_report,
+    unknown_student_report,
+    unreadable_report,
+)
 from gripcourse.submission.model import Rejected
 from gripcourse.text.words import message
 
@@ -68,3 +74,26 @@ def test_an_incident_has_its_number(hydraulic: "Case") -> None:
 def test_an_unknown_student_and_an_unnamed_one_are_told_apart(student: str, said: str) -> None:
     report = unknown_student_report("inbox/x.xlsx", student, "")
     assert str(report.flags[0].message) == said
+
+
+def test_each_reason_why_cells_cannot_be_read_names_the_cells(hydraulic: "Case") -> None:
+    names = list(hydraulic.answers)[:4]
+    read = hydraulic.submission(dict.fromkeys(names, "?"))
+    cells = ("1. Схема!E11", "2. Привод!E7", "1. Схема!E8", "2. Привод!E9")
+    unread = {
+        name: replace(read.answers[name], cell=cell)
+        for name, cell in zip(names, cells, strict=True)
+    }
+    unread[names[3]] = replace(unread[names[3]], remarks=(message("One number, please."),))
+    report = unreadable_report(replace(read, answers=unread), hydraulic.issued)
+    assert [str(one) for one in report.remarks[1:]] == [
+        "1. Схема!E8, E11; 2. Привод!E7: A number is needed here.",
+        "2. Привод!E9: One number, please.",
+    ]
+
+
+def test_of_many_cells_that_cannot_be_read_the_first_ones_are_named(hydraulic: "Case") -> None:
+    unread = hydraulic.submission(dict.fromkeys(hydraulic.answers, "?"))
+    (said,) = unreadable_report(unread, hydraulic.issued).remarks[1:]
+    assert str(said).count(", ") == 12
+    assert ", …: " in str(said)

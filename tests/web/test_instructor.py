@@ -171,7 +171,7 @@ def test_whoever_publishes_is_told_what_was_not_graded_yet(
         return signed_in.get("/desk/", headers={"accept-language": "en"}).text
 
     page_before = page(-timedelta(hours=9))
-    newer = re.search(f"{said}.*marks of persons [0-9]+, workbooks [1-9]", page_before)
+    newer = re.search(f"{said}.*marks given by hand [0-9]+, workbooks [1-9]", page_before)
     assert newer is not None
     assert said not in page(timedelta(days=400))  # other tests hand in days later
 

@@ -216,6 +216,17 @@ def test_a_strange_name_fits_the_header_of_the_page(
     assert shown.replace("&&", "") == shown.replace("&", "")
 
 
+def test_a_long_name_stands_below_the_course_over_a_printed_page(
+    plan: Plan, issued: Issued, course: Course
+) -> None:
+    name = "Константинопольский-Черноризский Юлиан Афанасьевич"
+    student = replace(issued.student, name=name)
+    content = answer_workbook(plan, replace(issued, student=student), course, RUSSIAN)
+    header = load_workbook(io.BytesIO(content)).worksheets[0].oddHeader
+    assert (header.left.text or "").split("\n") == [course.title.of("ru"), name]
+    assert not header.right.text
+
+
 def test_the_series_stand_in_the_workbook_exactly_as_they_are_declared(
     book: Workbook, plan: Plan
 ) -> None:

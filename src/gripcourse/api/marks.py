@@ -1,4 +1,4 @@
-"""Marks of persons and traces of numbers, as a program asks for them."""
+"""Marks given by hand and traces of numbers, as a program asks for them."""
 
 from collections.abc import Iterable, Mapping
 from datetime import UTC, datetime

@@ -58,7 +58,7 @@ def validate(
         found = validated(root, thorough=prove, processes=PROCESSORS)
         problems, notes = found.problems, list(found.notes)
         if problems and not found.computed:
-            late = message("What depends on the following is tried once that is corrected:")
+            late = message("What depends on the following is checked once that is corrected:")
             typer.echo(words.say(late), err=True)
     if problems:
         raise GripcourseError(problems)

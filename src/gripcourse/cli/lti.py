@@ -165,7 +165,7 @@ def rotate(*, course: CourseOption = None, language: LanguageOption = None) -> N
 
 @app.command("unknown", cls=SpokenCommand)
 def unknown(*, course: CourseOption = None, language: LanguageOption = None) -> None:
-    """List who came by a platform and could not be told to be a student of the roster."""
+    """List who came from a platform and could not be matched to a student of the roster."""
     with _needs_library():
         from gripcourse.usecases.serving.desk import open_context
         from gripcourse.usecases.serving.lti import platform_names, store_of, why_not_told

@@ -101,7 +101,7 @@ EitherVersionOption = Annotated[
     bool | None,
     typer.Option(
         "--either-version/--own-version",
-        help="What was issued anew: the version counts that gives more, or the workbook's own.",
+        help="Of what was reissued: the version that gives more points, or the workbook's own.",
         show_default="as before, else the workbook's own",
     ),
 ]

@@ -109,7 +109,7 @@ def undone_text(done: "Regrade", words: Words) -> str:
 def published_text(told: Sequence["Published"], words: Words) -> str:
     """Return how many results are published now."""
     if not told:
-        return words.say(message("Everybody has been told this already."))
+        return words.say(message("Exactly this has been published to everybody already."))
     return words.say(
         counted(
             "{count} result is published; a regrade may change it.",

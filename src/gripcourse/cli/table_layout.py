@@ -4,6 +4,8 @@ Rich looks at each cell a dozen times, which is half a second for a thousand row
 """
 
 import io
+import shutil
+import sys
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from itertools import chain
 from typing import TYPE_CHECKING, Final
@@ -19,6 +21,7 @@ if TYPE_CHECKING:
 
 WIDTH: Final = 110
 
+_NARROWEST: Final = 60  # places: in fewer the words of a table would be broken
 _BETWEEN: Final = 3  # blanks between columns
 
 
@@ -53,12 +56,12 @@ def broken_table(
     table = Table(box=SIMPLE_HEAD, pad_edge=False)
     for number, head in enumerate(heads):
         side: JustifyMethod = "right" if number in right else "left"
-        table.add_column(Text(head), justify=side, max_width=widest.get(number))
+        table.add_column(Text(head), justify=side, max_width=widest.get(number), overflow="fold")
     for row in rows:
         # Text, not markup: what a student typed must not be read as a colour.
         table.add_row(*map(Text, row))
     # A file, not the terminal: the caller decides where it goes.
-    console = Console(width=WIDTH, file=io.StringIO())
+    console = Console(width=_room(), file=io.StringIO())
     with console.capture() as capture:
         console.print(table)
     return capture.get().rstrip()
@@ -79,12 +82,19 @@ def plain_table(
             return None
         widths = [max(*pair) for pair in zip(widths, map(_width, line), strict=True)]
     inner = sum(widths) + _BETWEEN * (len(widths) - 1)
-    if not all(widths) or inner + 2 > WIDTH:
+    if not all(widths) or inner + 2 > _room():
         return None
     sides = [number in right for number in range(len(widths))]
     head, under = _line(heads, widths, sides), f" {'─' * inner} "
     body = (_line(line, widths, sides) for line in rows)
     return "\n".join(chain((" " * (inner + 2), head, under), body)).rstrip()
+
+
+def _room() -> int:
+    """Return how wide a table may be: as the terminal is, where one shows it."""
+    if not sys.stdout.isatty():
+        return WIDTH
+    return max(_NARROWEST, min(WIDTH, shutil.get_terminal_size((WIDTH, 0)).columns))
 
 
 def _shown_row(row: Sequence[str]) -> list[str]:

@@ -274,7 +274,7 @@ def _sections_text(checked: "CheckedWorkbook", words: Words) -> Iterator[str]:
                 "times to each student."
             )
             if checked.left is None
-            else message("Whether numbers follow from each other will not be told again.")
+            else message("Whether numbers follow from each other will not be shown again.")
         )
         return
     titles = {one.id: one.title for one in checked.plan.course.sections}

@@ -32,8 +32,8 @@ _CONTROL_LETTERS = 12
 _MODULE, _SMALL_MODULE = 0.5, 0.38
 _NARROW = 112.0  # mm of a diagram that leaves room for text beside it
 _MANY = 85  # quantities, from which on a diagram has to leave room beside it
-# Prints by how much there is to read, in letters. The first leaves the appendix a page of its own;
-# in the others, of more than two pages, it follows at once: no page stays half empty.
+# Prints by how much there is to read, in letters. The appendix follows at once in all of them: no
+# page stays half empty, and the shortest sheets are one leaf.
 _SOME, _MUCH = 6_000, 10_000
 _PRINTS = ("", "dense running", "dense long running")
 # A diagram with text beside it is printed smaller where there is much to read, letters and all.
@@ -110,8 +110,8 @@ def assignment_sheet(
 ) -> bytes:
     """Make the assignment sheet of a student as a PDF file.
 
-    The shortest assignments take two pages and an appendix with the series and tables; the others
-    three pages with it, those of more than 150 quantities a part of a fourth.
+    The shortest assignments take two or three pages with the series and tables behind them, the
+    others three, those of more than 150 quantities a part of a fourth.
 
     Args:
         issued: the student, the frozen values and the dates.

@@ -23,11 +23,15 @@ _POWER: Final = re.compile(r"\^(?:\(([^()]+)\)|([−-]?\d+(?:[.,]\d+)?))")
 
 # `h_V/3`, `√(σ_b/[σ]_b)`: what is divided by a symbol or a number, and no two words; 12–14.
 _SHORT: Final = re.compile(
-    r"(?<!\S)(?=\S{3,30}(?!\S))\S*(?:\w[)\]]*/[(\[√]*(?:\d|[^\W\d_](?![^\W_])|[^\W\d_]{1,2}_)|\d–\d)\S*"
+    r"(?<!\S)(?=\S{3,30}(?!\S))\S*(?:\w[)\]]*/[(\[√]*(?:\d|[^\W\d_](?![^\W_²³])|[^\W\d_]{1,2}_)|\d–\d)\S*"
 )
 
 _ENDS: Final = re.compile(r"[/–-](?=.)")  # after which a line may end
 _JOINER: Final = "\N{WORD JOINER}"
+
+# `cos χ`, `= h_1 + h_2`: what a function is of, and what follows a sign of relation.
+_FUNCTION: Final = re.compile(r"(?<![^\W_])(sin|cos|tan|tg|ctg) (?=\d|[^\W\d_](?![^\W_]))")
+_RELATION: Final = re.compile(r"(?<= )([=<>≤≥≠≈]) (?=\S)")
 
 # `ISO 5292`, `ГОСТ Р 52543`: capitals and a number.
 _STANDARD: Final = re.compile(r"(?<=[^\W\d_a-zа-яёіїєґ]{2}) (?=\d)")
@@ -77,14 +81,26 @@ def _raised(escaped: str) -> str:
 
 
 def _kept_together(title: object) -> str:
-    """Let no line end before a unit, at the minus of a formula, inside the name of a standard."""
+    """Let no line end before or in a unit, after a sign of a formula, in the name of a standard."""
     together = _before_a_unit().sub(NO_BREAK_SPACE, str(seen(title)))
     together = _STANDARD.sub(NO_BREAK_SPACE, together)
+    for joined in (_FUNCTION, _RELATION):
+        together = joined.sub(rf"\1{NO_BREAK_SPACE}", together)
+    together = _inside_a_unit().sub(rf"\g<0>{_JOINER}", together)
     return together.replace(" − ", f"{NO_BREAK_SPACE}−{NO_BREAK_SPACE}")
 
 
 @lru_cache(maxsize=1)
 def _before_a_unit() -> re.Pattern[str]:
+    return re.compile(rf"(?<=\d) (?=(?:{_units()})(?!\w))")
+
+
+@lru_cache(maxsize=1)
+def _inside_a_unit() -> re.Pattern[str]:
+    """Find the slash of `л/мин` and `кг/м³`; a line may end after that of two words."""
+    return re.compile(rf"(?<!\w)(?:{_units()})[²³]?/(?=(?:{_units()})(?![^\W²³]))")
+
+
+def _units() -> str:
     written = {unit_text(name, language) for name in unit_names() for language in LANGUAGES}
-    units = "|".join(re.escape(one) for one in sorted(written - {""}, key=len, reverse=True))
-    return re.compile(rf"(?<=\d) (?=(?:{units})(?!\w))")
+    return "|".join(re.escape(one) for one in sorted(written - {""}, key=len, reverse=True))

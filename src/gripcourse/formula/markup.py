@@ -24,6 +24,7 @@ __all__ = ["argument", "html", "text"]
 
 _NO_BREAK: Final = "\u00a0"
 _NARROW: Final = "\u202f"
+_JOINER: Final = "\u2060"
 _TALLEST: Final = 3
 _ALWAYS_BRACKETED: Final = frozenset({"exp", "min", "max", "atan2"})
 
@@ -132,7 +133,7 @@ def _run(box: Box) -> str:
     """Write an upright box; a line may break before a sign, never after it."""
     match box:
         case Value():
-            return value_text(box).replace(" ", _NO_BREAK)
+            return value_text(box).replace(" ", _NO_BREAK).replace("/", f"/{_JOINER}")
         case Text("operator" | "relation", sign):
             return f" {sign}{_NO_BREAK}"
         case Text("times", sign):

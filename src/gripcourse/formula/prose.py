@@ -5,10 +5,10 @@ from collections.abc import Iterator
 from typing import Final
 
 # A letter, perhaps in brackets, after a Δ or with primes, and its subscript, perhaps of two parts,
-# w_2,req; a power ends it, and so does a comma before a blank or the next symbol.
+# w_2,req or d_в.тр; a power ends it, and so does a comma before a blank or the next symbol.
 SYMBOL: Final = re.compile(
     r"(?<![\w\]])(?:\[[^\W\d_]{1,2}\]|Δ?[^\W\d_][′″'’]{0,2})_[-−]?[^\W_²³]{1,8}"
-    r"(?:,[^\W_²³]{1,8})?(?![^\W²³])"
+    r"(?:,[^\W_²³]{1,8}|\.[^\W\d_]{1,8})?(?![^\W²³])"
 )
 
 _SMALL: Final = str.maketrans(

@@ -71,7 +71,7 @@ def _judge_size(comparison: Comparison) -> Judgement:
         Outcome.WRONG if follow_through.slip is None else Outcome.SLIP,
         Against.NOTHING,
         0.0,
-        follow_through.fault or message("The required value cannot be told from your numbers."),
+        follow_through.fault or message("The required value cannot be computed from your numbers."),
         slip=follow_through.slip,
     )
 

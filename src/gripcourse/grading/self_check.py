@@ -75,7 +75,7 @@ class SelfCheck:
 
 
 _SAID_OF_SECTION = {
-    SectionState.OPEN: message("Not shown: answer everything in this section first."),
+    SectionState.OPEN: message("Not shown yet: answer everything in this section first."),
     SectionState.FITS: message("These numbers follow from each other."),
     SectionState.DOES_NOT_FIT: message("At least one number does not follow from the others."),
 }

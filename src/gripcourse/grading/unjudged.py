@@ -1,15 +1,17 @@
 """Reports of files that could not be judged: never a zero mark, always a flag that says why."""
 
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 from gripcourse.grading.model import Flag, FlagCode, Report
-from gripcourse.submission.model import Reading, Rejected, Submission
+from gripcourse.submission.model import Answer, Reading, Rejected, Submission
 from gripcourse.text.words import Message, message
 from gripcourse.variants.model import Issued
 
 UNREADABLE_SHARE = 0.1  # of the answers; beyond it nothing is judged
 _OF_THE_FILLED = 0.5  # of the answers that are not blank, likewise
-_NAMED = 3  # cells and reasons that are told
+_NAMED = 3  # cells that the flag names, and reasons that are told
+_TOLD = 12  # cells of a reason
 
 
 def rejected_report(rejected: Rejected, issued: Issued | None) -> Report:
@@ -37,7 +39,6 @@ def is_unreadable(submission: Submission) -> bool:
 def unreadable_report(submission: Submission, issued: Issued) -> Report:
     """Report a workbook whose answers cannot be read; the student can mend it and is told so."""
     unread = [one for one in submission.answers.values() if one.reading is Reading.UNREADABLE]
-    reasons = {str(remark): remark for one in unread for remark in one.remarks[:1]}
     said = message(
         "{count} of {asked} answers cannot be read, so the work was not judged: for example "
         "{cells}. Open it, write numbers into the answer cells, save it as .xlsx and hand it in "
@@ -48,7 +49,32 @@ def unreadable_report(submission: Submission, issued: Issued) -> Report:
     )
     flag = Flag(FlagCode.UNREADABLE, said)
     report = unjudged(submission.file, flag, issued, submission.digest)
-    return replace(report, remarks=(said, *list(reasons.values())[:_NAMED]))
+    return replace(report, remarks=(said, *_reasons(unread)))
+
+
+def _reasons(unread: Sequence[Answer]) -> Iterator[Message]:
+    """Yield the first reasons why cells cannot be read, each behind the cells that have it."""
+    found: dict[str, list[Answer]] = {}
+    for one in unread:
+        for remark in one.remarks[:1]:
+            found.setdefault(str(remark), []).append(one)
+    for those in list(found.values())[:_NAMED]:
+        yield message("{cells}: {reason}", cells=_cells(those), reason=those[0].remarks[0])
+
+
+def _cells(answers: Sequence[Answer]) -> str:
+    """Name cells, the sheet before those that stand on it: `1. Scheme!E6, E8; 2. Drive!E7`."""
+    sheets: dict[str, list[str]] = {}
+    for sheet, _, cell in sorted(map(_place, answers))[:_TOLD]:
+        sheets.setdefault(sheet, []).append(cell)
+    named = "; ".join(f"{sheet}!{', '.join(cells)}" for sheet, cells in sheets.items())
+    return named + (", …" if len(answers) > _TOLD else "")
+
+
+def _place(answer: Answer) -> tuple[str, int, str]:
+    """Return the sheet and the cell of an answer, with what sets `E9` before `E10`."""
+    sheet, _, cell = answer.cell.rpartition("!")
+    return sheet, len(cell), cell
 
 
 def unknown_student_report(file: str, student: str, digest: str) -> Report:

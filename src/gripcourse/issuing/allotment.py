@@ -244,8 +244,8 @@ def _notes(
         if gone and new:
             # One of them may be another of them under a new surname: nothing else tells that.
             said = message(
-                "New in this list: {new}; no longer in it, of the same groups: {gone}. Is anybody in"
-                " both under another name? Tell it by the id.",
+                "New in this list: {new}; no longer in it, of the same groups: {gone}. Is anybody"
+                " in both under another name? Tell it by the id.",
                 new=first_of(new, _NAMED),
                 gone=first_of(gone, _NAMED),
             )

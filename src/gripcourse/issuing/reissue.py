@@ -104,13 +104,13 @@ def _faults_of_call(correction: Correction) -> Iterator[Problem]:
     if not correction.why.strip():
         yield _problem(
             "why",
-            message("To issue anew needs a reason."),
+            message("A reissue needs a reason."),
             message("Say why: whoever asks in a year reads it."),
         )
     if not correction.students:
         yield _problem(
             "student",
-            message("Nobody is named to issue anew to."),
+            message("Name the students to reissue to."),
             message("Name the students by their ids."),
         )
 

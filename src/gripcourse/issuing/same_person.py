@@ -31,7 +31,7 @@ def has_other_address(one: Student, other: Student) -> bool:
 
 def has_cut_id(student: Student, known: Student) -> bool:
     """Tell whether a spreadsheet program took the first noughts of a known student's id away."""
-    is_cut = without_leading_zeros(student.id) == without_noughts(known.id)
+    is_cut = without_leading_zeros(student.id) == without_leading_zeros(known.id)
     is_same = has_same_name(student, known) or has_same_address(student, known)
     return is_cut and is_same
 

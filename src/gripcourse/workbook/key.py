@@ -57,8 +57,8 @@ _WIDTHS: Final = {
     KeyColumn.FORMULA: 48,
     KeyColumn.SOURCE: 40,
     KeyColumn.TOLERANCE: 16,
-    KeyColumn.SI: 13,
-    KeyColumn.REQUIRED: 13,
+    KeyColumn.SI: 15,
+    KeyColumn.REQUIRED: 15,
 }
 _NO_DAY: Final = datetime(2000, 1, 1)  # noqa: DTZ001 - a key has no date: it is the same every day
 _NO_VALUE: Final = "#N/A"

@@ -34,6 +34,7 @@ _WARNING: Final = "#B42318"
 
 PAPER_A4: Final = 9
 _LONGEST_HEADER: Final = 200  # of 255 characters that a page header may have
+_LINE_OF_HEADER: Final = {False: 90, True: 130}  # characters; landscape: the second
 
 MOST_DECIMALS: Final = 12
 
@@ -256,7 +257,9 @@ def set_page(
     sheet.fit_to_pages(1, tall)
     sheet.set_margins(left=0.4, right=0.4, top=0.8, bottom=0.7)
     half = _LONGEST_HEADER // 2
-    sheet.set_header(f"&L{_header_text(left, half)}&R{_header_text(right, half)}")
+    # Two texts that one line has no room for would be printed one over the other.
+    between = "\n" if len(left) + len(right) > _LINE_OF_HEADER[landscape] else "&R"
+    sheet.set_header(f"&L{_header_text(left, half)}{between}{_header_text(right, half)}")
     sheet.set_footer("&C&P / &N")
     sheet.hide_gridlines(2)
 

@@ -13,7 +13,7 @@ from gripcourse.drawing.paper.document import dxf_bytes, new_document
 from gripcourse.drawing.paper.sheet import A3, Notes, block_box, draw_notes, draw_sheet, note_lines
 from gripcourse.drawing.paper.strokes import Box, box_of
 from gripcourse.drawing.paper.svg import svg_text
-from gripcourse.drawing.paper.text import Point, read_text, text_width
+from gripcourse.drawing.paper.text import READ_WELL, Point, read_text, text_width
 from gripcourse.drawing.paper.title_block import TitleBlock
 from gripcourse.text.words import Words, message
 from support.each import each
@@ -68,7 +68,9 @@ def test_any_student_can_be_written_into_the_title_block(name: str) -> None:
     assert name in [read_text(one) for one in document.modelspace().query("TEXT")]
 
 
-@pytest.mark.parametrize("name", ["Иванова Анна Петровна", "Шевченко Оксана Костянтинівна"])
+@pytest.mark.parametrize(
+    "name", ["Иванова Анна Петровна", "Шевченко Оксана Костянтинівна", "Їжак Юрій Ґедзьович"]
+)
 def test_the_name_of_who_drew_it_stands_in_one_line_of_letters_of_the_standard(name: str) -> None:
     block = TitleBlock("011 GA", "gripper", "General arrangement", student=name)
     made = new_document("uk")
@@ -77,6 +79,7 @@ def test_the_name_of_who_drew_it_stands_in_one_line_of_letters_of_the_standard(n
     texts = {read_text(one): one for one in made.modelspace().query("TEXT")}
     (written,) = (one for text, one in texts.items() if text.startswith(surname))
     assert written.dxf.height >= LEAST
+    assert written.dxf.width >= READ_WELL
     assert not [text for text in texts if text in name.split()[1:]]
 
 

@@ -72,3 +72,13 @@ def test_a_circle_past_a_box_or_all_round_it_does_not(
     centre: tuple[float, float], radius: float
 ) -> None:
     assert not runs_over(Arc(centre, radius), BOX)
+
+
+@given(st.floats(0.1, 300), st.floats(-500, 500), st.floats(10, 80))
+def test_an_arc_whose_middle_touches_the_edge_of_a_plate_is_hidden_by_it(
+    radius: float, x: float, half: float
+) -> None:
+    arc = Arc((x, 0.0), radius, 90 - half, 90 + half)
+    plate = Box(x - 2 * radius, -radius, x + 2 * radius, radius)
+    assert list(covered(arc, plate.corners)) == [arc]
+    assert not list(outside(arc, plate.corners))

@@ -1,4 +1,4 @@
-"""Marks of persons from entering to the reports: never overwritten, flagged when to look again."""
+"""Marks by hand from entering to the reports: never overwritten, flagged when to look again."""
 
 import json
 from collections.abc import Sequence

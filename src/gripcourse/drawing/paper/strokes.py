@@ -259,6 +259,9 @@ def _arc_cut(arc: Arc, first: Point, second: Point) -> Iterator[float]:
     wx, wy = first[0] - arc.centre[0], first[1] - arc.centre[1]
     square, mixed = vx * vx + vy * vy, vx * wx + vy * wy
     rest = mixed * mixed - square * (wx * wx + wy * wy - arc.radius**2)
+    # An edge that touches the arc parts it too: half way between two cuts it may lie on the edge.
+    if abs(rest) < _NOTHING * square * arc.radius**2:
+        rest = 0.0
     if rest < 0 or square < _NOTHING**2:
         return
     for root in (math.sqrt(rest), -math.sqrt(rest)):

@@ -34,7 +34,7 @@ _CLOSE = 1.28  # the same where lines are smaller than they should be: two of 1.
 _CLEAR = 0.2  # of lines above and below several of them, in these heights
 _HEIGHTS = (5.0, 3.5, 2.5)  # mm, of GOST 2.304; its 1.8 is for names that nothing else has room for
 _WIDE = 0.85  # of their width and more: nobody sees that letters are squeezed
-_WELL = 0.75  # of their width: seen, and read as well
+READ_WELL = 0.75  # of their width: seen, and read as well
 _WIDE_ENOUGH = 0.55  # of their width: such letters are still read
 _PIECES = re.compile(r"[^\s-]*(?:-+|\s+|$)")
 _CUT = "…"
@@ -147,7 +147,11 @@ def set_in(
         for high in heights
     ]
     smallest = settings[-1]
-    tries = [*((found, _WIDE) for found in settings), (smallest, _WELL), (smallest, _WIDE_ENOUGH)]
+    tries = [
+        *((found, _WIDE) for found in settings),
+        (smallest, READ_WELL),
+        (smallest, _WIDE_ENOUGH),
+    ]
     for found, least in tries:
         for one in found:
             if one.squeeze >= least:

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 from gripcourse.drawing.paper.cells import LARGE, NORMAL, PAD, SMALL, Cells
 from gripcourse.drawing.paper.document import LineKind
-from gripcourse.drawing.paper.text import capital, set_in
+from gripcourse.drawing.paper.text import READ_WELL, capital, set_in
 from gripcourse.solver.plan import Plan
 from gripcourse.text.signed_names import signed_name
 from gripcourse.text.words import Message, Words, message
@@ -132,7 +132,9 @@ def _draw_people(cell: Cells, block: TitleBlock, words: Words) -> None:
 def _written(name: str) -> str:
     """Return a name, by surname and initials where it would be too narrow to read in one line."""
     room = (_NAME[0] - 2 * PAD, _NAME[1])
-    return name if set_in(name, SMALL, room, 1).height == SMALL else signed_name(name)
+    found = set_in(name, SMALL, room, 1)
+    is_read_well = found.height == SMALL and found.squeeze >= READ_WELL
+    return name if is_read_well else signed_name(name)
 
 
 def _draw_document(cell: Cells, block: TitleBlock, scale: str, words: Words) -> None:

@@ -82,7 +82,7 @@ def history(
     for told in publications(book):
         if told.student == student:
             said = message(
-                "Points told to the student: {points} of {most} (attempt {number}).",
+                "Points published to the student: {points} of {most} (attempt {number}).",
                 points=round(told.points, _DECIMALS),
                 most=round(told.max_points, _DECIMALS),
                 number=numbers.get(told.attempt, told.attempt),

@@ -1,4 +1,4 @@
-"""Marks of persons: entering one, a whole table, and showing what waits."""
+"""Marks given by hand: entering one, a whole table, and showing what waits."""
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass

@@ -175,7 +175,7 @@ def apply_regrade(
                 "",
                 "",
                 message(
-                    "{student} was told {before} points and would get {after}.",
+                    "{before} points were published to {student}, who would get {after}.",
                     student=one.work.student,
                     before=round(one.before.score, 2),
                     after=round(one.after.score, 2),
