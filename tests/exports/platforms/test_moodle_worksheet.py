@@ -93,7 +93,7 @@ def test_a_russian_worksheet_gets_a_point_and_a_date_that_moodle_reads(works: Wo
     assert row["Максимальная оценка"] == "100,00"
 
 
-@pytest.mark.parametrize("encoding", ["cp1251", "utf-8", "utf-16"])
+@pytest.mark.parametrize("encoding", ["cp1251", "koi8_u", "mac_cyrillic", "utf-8", "utf-16"])
 def test_encoding_and_separator_stay(works: Works, encoding: str) -> None:
     found = works({ZIP.format(12): "s17", "x/s18.xlsx": "s18"})
     result = fill_worksheet(read_worksheet(sheet(UK, encoding)), found, lambda _: "<p>ok</p>")
@@ -102,6 +102,12 @@ def test_encoding_and_separator_stay(works: Works, encoding: str) -> None:
     assert first["Востаннє змінювалося (оцінка)"] == "2026-11-21 20:07"
     assert second["Оцінка"] == ""
     assert ["cannot be changed" in str(note) for note in result.notes] == [True]
+
+
+@pytest.mark.parametrize("encoding", ["cp1251", "cp866", "koi8_u", "mac_cyrillic"])
+def test_the_code_page_of_the_shortest_worksheet_is_told_by_its_headings(encoding: str) -> None:
+    worksheet = read_worksheet(sheet("Идентификатор;Оценка;Последнее изменение (оценка)", encoding))
+    assert (worksheet.language, worksheet.table.separator) == ("ru", ";")
 
 
 def test_an_unknown_heading_is_named(works: Works) -> None:
