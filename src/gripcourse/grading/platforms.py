@@ -23,7 +23,9 @@ _MOODLE: Final = re.compile(
 _CANVAS: Final = re.compile(
     r"(?P<name>[^\W_]+)(?:_LATE)?_(?P<id>\d+)_\d+_.+", re.DOTALL | re.IGNORECASE
 )
-_WORD: Final = re.compile(r"\w+")
+_WORD: Final = re.compile(r"[^\W_]+")
+# What Moodle writes for a name where nobody may know it, in the languages of its packs.
+_NOBODY: Final = re.compile(r"(?:participant|участник|учасник)\s*\d*")
 _MOST_WORDS: Final = 8  # of a name
 
 
@@ -40,6 +42,14 @@ class PlatformPart:
     identifier: str
     name: str
     joined: bool
+
+    def stands_for(self, *full_names: str) -> bool:
+        """Tell whether the number is that of a person with one of these names.
+
+        It is where the name beside it is one of them, or hidden; else it may be that of a team.
+        """
+        is_hidden = _NOBODY.fullmatch(self.name.casefold()) is not None
+        return is_hidden or any(self.is_named(name) for name in full_names)
 
     def is_named(self, full_name: str) -> bool:
         """Tell whether this is the name of a person, in any order and perhaps not the whole."""

@@ -102,7 +102,7 @@ def worksheet(
     header, row, date, old = SHEETS[language]
     cells = {"grade": (grade or old) if graded else "", "date": f'"{date}"' if graded else "-"}
     source = NamedBytes("Grades.csv", f"{header}\n{row.format(**cells)}\n".encode("utf-8-sig"))
-    found = works({"Имя_12_assignsubmission_file/s.xlsx": "s17"})
+    found = works({"Участник_12_assignsubmission_file/s.xlsx": "s17"})
     return fill_worksheet(read_worksheet(source), found, lambda _: "<p>ok</p>")
 
 
@@ -151,7 +151,7 @@ def canvas_table(header: str, works: Works, possible: str = "50") -> tuple[bytes
     person = ["Иванова", *(["Ольга"] if names else []), "501", *[""] * width][:width]
     rows = "\n".join(",".join(row) for row in (first, person))
     source = NamedBytes("export.csv", f"{header}\n{rows}\n".encode("utf-8-sig"))
-    filled = fill_gradebook(source, works({"x_501_7_s.xlsx": "s17"}), "")
+    filled = fill_gradebook(source, works({"ивановаольга_501_7_s.xlsx": "s17"}), "")
     return filled.content, tuple(map(str, filled.notes))
 
 

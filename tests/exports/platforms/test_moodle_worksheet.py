@@ -93,7 +93,7 @@ def test_a_russian_worksheet_gets_a_point_and_a_date_that_moodle_reads(works: Wo
     assert row["Максимальная оценка"] == "100,00"
 
 
-@pytest.mark.parametrize("encoding", ["cp1251", "utf-8", "utf-16"])
+@pytest.mark.parametrize("encoding", ["cp1251", "koi8_u", "mac_cyrillic", "utf-8", "utf-16"])
 def test_encoding_and_separator_stay(works: Works, encoding: str) -> None:
     found = works({ZIP.format(12): "s17", "x/s18.xlsx": "s18"})
     result = fill_worksheet(read_worksheet(sheet(UK, encoding)), found, lambda _: "<p>ok</p>")
@@ -102,6 +102,12 @@ def test_encoding_and_separator_stay(works: Works, encoding: str) -> None:
     assert first["Востаннє змінювалося (оцінка)"] == "2026-11-21 20:07"
     assert second["Оцінка"] == ""
     assert ["cannot be changed" in str(note) for note in result.notes] == [True]
+
+
+@pytest.mark.parametrize("encoding", ["cp1251", "cp866", "koi8_u", "mac_cyrillic"])
+def test_the_code_page_of_the_shortest_worksheet_is_told_by_its_headings(encoding: str) -> None:
+    worksheet = read_worksheet(sheet("Идентификатор;Оценка;Последнее изменение (оценка)", encoding))
+    assert (worksheet.language, worksheet.table.separator) == ("ru", ";")
 
 
 def test_an_unknown_heading_is_named(works: Works) -> None:
@@ -134,6 +140,56 @@ def test_a_work_from_anothers_account_gets_no_grade(works: Works) -> None:
     result = fill_worksheet(read_worksheet(sheet(EN)), found, lambda _: "")
     assert result.filled == 0
     assert "under another account" in str(result.notes[0])
+
+
+def test_the_number_of_a_team_is_not_that_of_a_participant(works: Works, tmp_path: Path) -> None:
+    """Teams and participants are numbered apart: team 12 is not Participant 12."""
+    text = EN.replace("other@mail.com", "-")
+    found = works({"Бригада 5_12_assignsubmission_file/s.xlsx": "s18"})
+    result = fill_worksheet(read_worksheet(sheet(text)), found, lambda _: "")
+    assert [row["Grade"] != "" for row in rows(result.content)] == [False, True, False]
+    report = tmp_path / "s18.pdf"
+    report.write_bytes(b"%PDF")
+    packed, notes = feedback_zip(result, lambda _: report, Words("ru"))
+    with zipfile.ZipFile(io.BytesIO(packed)) as archive:
+        assert archive.namelist() == []
+    assert ["s18 О'Ковальчук Іван handed in with a team" in str(note) for note in notes] == [True]
+
+
+@pytest.mark.parametrize("name", ["Participant", "Участник", "Учасник"])
+def test_a_number_alone_tells_whose_a_row_is_where_names_are_hidden(
+    works: Works, name: str
+) -> None:
+    found = works({f"{name}_44_assignsubmission_file/s.xlsx": "s17"})
+    assert [row["Grade"] != "" for row in rows(filled(sheet(EN), found))] == [False, False, True]
+
+
+def test_a_name_that_the_student_chose_is_no_number_of_moodle(works: Works) -> None:
+    found = works({"mail/rgr_44_2_final.xlsx": "s18"})
+    assert [row["Grade"] != "" for row in rows(filled(sheet(EN), found))] == [False, True, False]
+
+
+def test_what_many_share_tells_nobody(works: Works) -> None:
+    """A group may be called as a student: of three in group s18 none is s18 for that."""
+    text = EN.replace(",Status,", ",Group,Status,").replace('"Submitted for', 's18,"Submitted for')
+    text = text.replace('"No submission', 's18,"No submission')
+    assert [
+        row["Grade"] != "" for row in rows(filled(sheet(text), works({"s18.xlsx": "s18"})))
+    ] == [
+        False,
+        True,
+        False,
+    ]
+
+
+def test_what_a_student_typed_takes_nobody_elses_grade(works: Works) -> None:
+    text = EN.replace('"Last modified (grade)"', '"Online text","Last modified (grade)"')
+    first, *others = text.splitlines(keepends=True)
+    typed = "".join(others).replace('8:07 AM",', '8:07 AM",kovalchuk@uni.ua,', 1)
+    typed = typed.replace('8:07 AM","Sat', '8:07 AM",,"Sat').replace("Yes,-,-", "Yes,-,,-")
+    found = works({ZIP.format(3).replace("Ольга Иванова", "Іван ОКовальчук"): "s18"})
+    result = fill_worksheet(read_worksheet(sheet(first + typed)), found, lambda _: "")
+    assert (result.filled, result.notes) == (1, ())
 
 
 def test_who_is_not_in_the_worksheet_is_named(works: Works) -> None:

@@ -197,13 +197,13 @@ def test_a_grading_worksheet_says_when_its_participants_handed_in(
     language: str, written: str, tmp_path: Path
 ) -> None:
     words = HEADINGS[language]
-    columns = [MoodleColumn.IDENTIFIER, MoodleColumn.GRADE, MoodleColumn.HANDED_IN_AT,
-               MoodleColumn.GRADED_AT]  # fmt: skip
+    columns = [MoodleColumn.IDENTIFIER, MoodleColumn.NAME, MoodleColumn.GRADE,
+               MoodleColumn.HANDED_IN_AT, MoodleColumn.GRADED_AT]  # fmt: skip
     sheet = tmp_path / "Grades.csv"
     rows = [
         "\t".join(words[one] for one in columns),
-        f"Участник3\t\t{written}\t-",
-        "Участник5\t\t-\t-",
+        f"Участник3\tЛи Ким\t\t{written}\t-",
+        "Участник5\tЛи Ким\t\t-\t-",
     ]
     sheet.write_text("\n".join(rows), encoding="utf-8")
     zipped = [Path(f"a.zip/Ким Ли_{number}_assignsubmission_file/x.xlsx") for number in (3, 5)]
@@ -211,8 +211,12 @@ def test_a_grading_worksheet_says_when_its_participants_handed_in(
     assert times == {
         str(zipped[0]): HandingTime(datetime(2026, 12, 2, 15, 5, tzinfo=KYIV), said=True)
     }
-    with pytest.raises(UsageError, match="No file of the batch has a number"):
-        handed_in_times([str(sheet)], [Path("3.xlsx")], KYIV)
+    hidden, team = (
+        Path(f"a.zip/{name}_3_assignsubmission_file/x.xlsx") for name in ("Участник", "Бригада 7")
+    )
+    assert list(handed_in_times([str(sheet)], [hidden, team], KYIV)) == [str(hidden)]
+    with pytest.raises(UsageError, match="No file of the batch has the number"):
+        handed_in_times([str(sheet)], [Path("3.xlsx"), team], KYIV)
 
 
 def test_where_a_rule_says_which_of_several_works_counts_nobody_is_asked(office: Office) -> None:

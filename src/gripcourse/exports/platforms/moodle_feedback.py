@@ -1,7 +1,8 @@
 """The zip of feedback files that Moodle hands out to its participants.
 
 Moodle ignores without a word what is not named as it wants: the participant's number must stand
-between the first two low lines, and the plug-in after it.
+between the first two low lines, and the plug-in after it. Where teams hand in, the number must be
+that of a team, and all of it get the file: a report of one student is not put there.
 """
 
 import io
@@ -12,7 +13,7 @@ from pathlib import Path
 from typing import Final
 
 from gripcourse.exports.platforms.moodle_worksheet import FilledWorksheet
-from gripcourse.exports.platforms.works import GradedWork, PlatformRow
+from gripcourse.exports.platforms.works import GradedWork, PlatformRow, is_of_team
 from gripcourse.text.words import Message, Words, message
 
 # What Moodle takes out of names.
@@ -35,6 +36,9 @@ def feedback_zip(
     stream, notes = io.BytesIO(), []
     with zipfile.ZipFile(stream, "w", zipfile.ZIP_DEFLATED) as archive:
         for row, work in _of_works(filled):
+            if is_of_team(work, row):
+                notes.append(_left_out(work))
+                continue
             report = report_of(work)
             if report is None:
                 notes.append(no_report(work))
@@ -74,6 +78,14 @@ def feedback_name(row: PlatformRow, work: GradedWork, words: Words) -> str:
 
 def _clean(name: str) -> str:
     return _DROPPED.sub("", name.replace("_", " ")).strip(" .~")
+
+
+def _left_out(work: GradedWork) -> Message:
+    return message(
+        "{student} handed in with a team, and Moodle would show the report to all of it: it was"
+        " left out of the zip.",
+        student=work.said,
+    )
 
 
 def _of_works(filled: FilledWorksheet) -> Iterator[tuple[PlatformRow, GradedWork]]:

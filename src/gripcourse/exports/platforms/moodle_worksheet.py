@@ -55,17 +55,30 @@ class Worksheet:
 
     def rows(self) -> Iterator[tuple[int, tuple[str, ...], PlatformRow]]:
         """Yield the place of each person's row, its cells and who it is about."""
+        key_columns = tuple(self._key_columns())
         for place, cells in enumerate(self.table.rows[1:], start=1):
             if not any(cells):
                 continue
             number = _NUMBER.search(self.cell(cells, MoodleColumn.IDENTIFIER))
-            keys = [cell for at, cell in enumerate(cells) if at not in self.columns.values()]
+            keys = [cells[at] for at in key_columns]
             name = self.cell(cells, MoodleColumn.NAME)
             yield (
                 place,
                 cells,
                 PlatformRow(place + 1, number[1] if number else "", tuple(keys), name),
             )
+
+    def _key_columns(self) -> Iterator[int]:
+        """Yield the columns that tell people apart.
+
+        Moodle writes what it knows of a person before the grade. What comes after it a student may
+        have typed, and what many share is a group.
+        """
+        people = [cells for cells in self.table.rows[1:] if any(cells)]
+        for at in range(self.columns[MoodleColumn.GRADE]):
+            shown = [key for cells in people if (key := cells[at].strip().casefold())]
+            if at not in self.columns.values() and 2 * len(set(shown)) > len(shown):
+                yield at
 
 
 @dataclass(frozen=True, slots=True)
@@ -110,8 +123,8 @@ def read_worksheet(source: Readable) -> Worksheet:
     return Worksheet(table, language, columns)
 
 
-def handed_in_moments(worksheet: Worksheet) -> dict[str, str]:
-    """Return when participants handed in, `2026-12-01 18:00`, by Moodle's number of them.
+def handed_in_moments(worksheet: Worksheet) -> dict[str, tuple[str, str]]:
+    """Return who handed in and when, by Moodle's number: a name and `2026-12-01 18:00`.
 
     It is the clock of whoever exported the worksheet. Who handed in nothing is not in it.
     """
@@ -119,7 +132,7 @@ def handed_in_moments(worksheet: Worksheet) -> dict[str, str]:
     for _, cells, row in worksheet.rows():
         written = worksheet.cell(cells, MoodleColumn.HANDED_IN_AT)
         if row.number and written not in _NONE:
-            found[row.number] = _readable_date(written, worksheet.language)
+            found[row.number] = row.name, _readable_date(written, worksheet.language)
     return found
 
 

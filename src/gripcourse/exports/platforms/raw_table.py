@@ -19,6 +19,8 @@ from gripcourse.text.words import message
 _SEPARATORS: Final = (",", ";", "\t", ":")
 _BOM: Final = b"\xef\xbb\xbf"
 _CYRILLIC: Final = "cp1251"
+# Windows, DOS, Unix, and spreadsheet programs on macOS.
+_PAGES: Final = (_CYRILLIC, "cp866", "koi8_u", "mac_cyrillic")
 # A row ends at a line end outside of quotes.
 _RECORD: Final = re.compile(r'(?:[^"\r\n]|"(?:[^"]|"")*(?:"|$))*(?:\r\n|\n|\r|$)')
 _LINE_ENDS: Final = "\r\n"
@@ -77,7 +79,7 @@ def read_raw_table(source: Readable, known: RateHeader) -> RawTable:
         OSError: it cannot be read.
     """
     data, file = content_of(source), shown_name(source)
-    encoding = _encoding(data)
+    encoding = _encoding(data, known)
     try:
         if encoding is None:
             raise _no_text(file)
@@ -127,7 +129,7 @@ def _cells(record: str, separator: str) -> tuple[str, ...]:
     return tuple(next(rows, ()))
 
 
-def _encoding(data: bytes) -> str | None:
+def _encoding(data: bytes, known: RateHeader) -> str | None:
     if data.startswith(_BOM):
         return "utf-8-sig"
     if b"\0" in data:
@@ -135,6 +137,28 @@ def _encoding(data: bytes) -> str | None:
     try:
         data.decode()
     except UnicodeDecodeError:
-        best = from_bytes(data, cp_isolation=[_CYRILLIC, "koi8_r", "cp866"]).best()
-        return _CYRILLIC if best is None else best.encoding
+        return _page_of_headings(data, known) or _likely_page(data)
     return "utf-8"
+
+
+def _page_of_headings(data: bytes, known: RateHeader) -> str:
+    """Return the code page in which most headings are known; empty where several are as good.
+
+    A short table has too few letters to be told by how often they occur.
+    """
+    first = data.splitlines()[0]
+    rates = {page: _most_known(first.decode(page, errors="replace"), known) for page in _PAGES}
+    best = max(rates.values())
+    pages = [page for page, rate in rates.items() if rate == best]
+    return pages[0] if len(pages) == 1 else ""
+
+
+def _most_known(line: str, known: RateHeader) -> int:
+    """Return how many headings are known; none of them holds a separator or a quotation mark."""
+    line = line.replace('"', "")
+    return max(known(line.split(separator)) for separator in _SEPARATORS)
+
+
+def _likely_page(data: bytes) -> str:
+    best = from_bytes(data, cp_isolation=[_CYRILLIC, "koi8_r", "cp866"]).best()
+    return _CYRILLIC if best is None else best.encoding

@@ -2,7 +2,9 @@
 
 Platforms number people by themselves, and names are not unique: a row is a student's where the
 platform's own number in the path of the work says so, else the id or the address, else a name that
-occurs only once on both sides. Where two of these disagree, nobody's grade is written.
+occurs only once on both sides. Where two of these disagree, nobody's grade is written. A number
+counts with the name beside it: a team's folder bears the number of the team, which may be that of a
+stranger among the people.
 """
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
@@ -139,9 +141,26 @@ def match(works: Sequence[GradedWork], rows: Sequence[PlatformRow], file: str) -
     return Matching({line: one for line, (one,) in found.items()}, tuple(notes))
 
 
+def is_of_team(work: GradedWork, row: PlatformRow) -> bool:
+    """Tell whether a work lay where its platform puts the works of a team.
+
+    Args:
+        work: of a student.
+        row: of the same student.
+    """
+    part = work.part
+    return part is not None and not part.joined and not _is_of_person(part, work, row)
+
+
+def _is_of_person(part: PlatformPart, work: GradedWork, row: PlatformRow) -> bool:
+    return part.stands_for(row.name, work.report.name)
+
+
 def _by_number(work: GradedWork, rows: Iterable[PlatformRow]) -> list[PlatformRow]:
-    number = "" if work.part is None else work.part.identifier
-    return [row for row in rows if number and row.number == number]
+    part = work.part
+    if part is None or not part.identifier:
+        return []
+    return [row for row in rows if row.number == part.identifier and _is_of_person(part, work, row)]
 
 
 def _by_key(work: GradedWork, rows: Iterable[PlatformRow]) -> list[PlatformRow]:

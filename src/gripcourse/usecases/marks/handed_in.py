@@ -83,20 +83,22 @@ def _of_worksheet(
     moments = handed_in_moments(read_worksheet(path))
     found = dict(_matched(moments, files, zone))
     if not found:
-        what = message("No file of the batch has a number that a row of the worksheet has.")
+        what = message("No file of the batch has the number and the name of a row.")
         remedy = message("Grade the zip that the platform handed out together with this worksheet.")
         problems.append(Problem(str(path), "", what, remedy, parameter="handed_in"))
     return found
 
 
 def _matched(
-    moments: Mapping[str, str], files: Sequence[Readable], zone: ZoneInfo
+    moments: Mapping[str, tuple[str, str]], files: Sequence[Readable], zone: ZoneInfo
 ) -> Iterator[tuple[str, HandingTime]]:
     for file in map(shown_name, files):
         part = platform_part(file)
-        written = moments.get(part.identifier, "") if part is not None else ""
+        if part is None or part.identifier not in moments:
+            continue
+        name, written = moments[part.identifier]
         at = moment_of(written, zone)
-        if at is not None:
+        if part.stands_for(name) and at is not None:
             yield shown(file), HandingTime(at, said=True)
 
 
