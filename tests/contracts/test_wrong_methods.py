@@ -26,6 +26,7 @@ SAME_IN_THE_EXAMPLE: Mapping[str, Mapping[str, str]] = {
         "drive_force: efficiency_left_out": "the guide's example leaves the efficiency out",
         "force_gain: losses_left_out": "the guide's example leaves the efficiency out",
         "drive_force: reserve_counted": "the guide's example has no reserve",
+        "bore_required: reserve_counted": "the guide's example has no reserve",
         "pin_diameter_first: E13": "the right force asks for 11.03 mm, whose nearest size is 12",
         "lifting_load: E16": "the example is computed with the printed gravity",
     },
