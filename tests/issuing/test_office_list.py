@@ -399,3 +399,15 @@ def test_whoever_was_listed_without_a_group_keeps_the_id_when_the_list_names_one
 def test_who_is_named_below_a_numbered_list_is_nobody_on_it(row: str) -> None:
     roster = listed("№ п/п;ФИО;Группа", "1;Абрамова Мария;Р-1", "2;Староста Олег;Р-1", row)
     assert names(roster) == ["Абрамова Мария", "Староста Олег"]
+
+
+def test_a_remark_in_brackets_is_no_part_of_a_name_and_a_former_surname_is() -> None:
+    roster = listed(
+        "№;Студент (ФИО);Гр.",
+        "1;Бойко Ірина (староста);А-1",
+        "2;Петрова (Сидорова) Анна;А-1",
+        "3;Орлова Ольга (Иванова);А-1",
+    )
+    assert names(roster) == ["Бойко Ірина", "Петрова (Сидорова) Анна", "Орлова Ольга (Иванова)"]
+    assert {one.group for one in roster.students} == {"А-1"}
+    assert "was left out: Бойко Ірина (староста). Look" in said(roster)

@@ -25,10 +25,12 @@ OLEH = "Дем’янчук Олег Петрович"
         (person(OLEH, id_="дем-янчук-олег-петрович-2"), person(OLEH, id_="4117")),
     ],
 )
-def test_who_is_known_keeps_the_id_of_the_register(known: Student, listed: Student) -> None:
+def test_who_is_known_keeps_the_id_and_the_group_of_the_register(
+    known: Student, listed: Student
+) -> None:
     (student,), _, problems = with_ids([listed], [known])
     assert not problems
-    assert (student.id, student.name, student.group) == (known.id, listed.name, listed.group)
+    assert (student.id, student.name, student.group) == (known.id, listed.name, known.group)
 
 
 def test_it_is_said_whose_id_in_the_list_does_not_count() -> None:
@@ -84,3 +86,14 @@ def test_whoever_is_plainly_another_gets_an_id_of_their_own(
     (student,), _, problems = with_ids([listed], [known])
     assert not problems
     assert student.id not in {"", known.id}
+
+
+def test_a_group_is_written_as_the_register_writes_it_but_for_who_is_known_by_id() -> None:
+    known = [person(OLEH, "АВ-31", "7"), person("Коваль Іван", "АВ-31", "8")]
+    listed = [
+        person("Мороз Ольга", "AB 31", "9"),
+        person("Коваль Іван", "ав31"),
+        person(OLEH, "АВ31", "7"),
+    ]
+    students, _, _ = with_ids(listed, known)
+    assert [one.group for one in students] == ["АВ-31", "АВ-31", "АВ31"]

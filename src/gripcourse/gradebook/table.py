@@ -15,9 +15,6 @@ from gripcourse.variants.cells import exact_number
 from gripcourse.variants.headings import by_ids, words_vocabulary
 from gripcourse.variants.sheet import Sheet, SheetRow, cell_place, column_name, read_sheet
 
-_MOST_TOGETHER = (
-    4  # rubrics that word one line otherwise, in one heading; of many there are many sets
-)
 _REQUIRED = ("student", "quantity")
 _FOR_THE_READER = "about:"
 _YES = {"yes", "да", "так", "1", "x", "+"}

@@ -7,7 +7,7 @@ gets a second variant before a person has said so.
 
 import re
 import unicodedata
-from collections.abc import Collection, Iterable, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import replace
 from typing import TypeAlias
 
@@ -17,6 +17,7 @@ from gripcourse.issuing.same_person import (
     has_same_address,
     has_same_name,
     is_in_same_group,
+    letters_of,
     may_be,
 )
 from gripcourse.text.spelling import as_seen
@@ -60,9 +61,18 @@ def with_ids(
             ids[place] = _free(_wanted(student.name, student.email), taken)
             taken.add(ids[place].casefold())
             made.append(ids[place])
-    all_ = tuple(replace(one, id=id_ or one.id) for one, id_ in _pairs(students, ids))
+    groups = {letters_of(one.group): one.group for one in known if letters_of(one.group)}
+    all_ = tuple(
+        one if id_ == one.id else replace(one, id=id_ or one.id, group=_as_known(one.group, groups))
+        for one, id_ in _pairs(students, ids)
+    )
     kept = [(one.id, id_) for one, id_ in _pairs(students, again) if id_]
     return all_, (*_kept_note(kept), *_note(made)), problems
+
+
+def _as_known(group: str, known: Mapping[str, str]) -> str:
+    """Return how the register writes a group: deadlines and figures go by it."""
+    return known.get(letters_of(group), group)
 
 
 def _pairs(students: Sequence[Student], ids: Sequence[str]) -> list[tuple[Student, str]]:

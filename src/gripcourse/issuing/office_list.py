@@ -19,6 +19,7 @@ _SHOWN: Final = 40  # signs of a row that is left out
 # Behind the first words of a sum or a signature: nothing, a colon or a dash, a number. Somebody's
 # surname may be such a word; a first name follows it.
 _BEHIND: Final = re.compile(r"\s*(?:$|[-:(]|\d|студент|чел|student|осіб)")
+_IN_BRACKETS: Final = re.compile(r"\s*\(([^()]*)\)\s*$")
 _BLANK: Final = re.compile(r"\s")
 _NUMBERED: Final = re.compile(r"\s*\d{1,4}\s*[.)]\s*(?=\w)")
 # What stands in a line that a form asks somebody to fill in, or before a note; in nobody's name.
@@ -123,6 +124,36 @@ def without_numbers(sheet: Sheet, columns: Mapping[str, TableColumn]) -> Sheet:
     if not all(_NUMBERED.match(row.cells[place]) for row in sheet.rows):
         return sheet
     return _with_cells(sheet, place, lambda text: _NUMBERED.sub("", text))
+
+
+def without_remarks(
+    sheet: Sheet, columns: Mapping[str, TableColumn]
+) -> tuple[Sheet, tuple[Message, ...]]:
+    """Leave out what an office writes in brackets behind names, as `(monitor)`; a note says so.
+
+    A former surname in brackets stays: it is a name.
+    """
+    known = declared_names("remark")
+    places = [columns[one].position for one in _OF_NAMES if one in columns]
+    found: dict[str, None] = {}
+
+    def bare(text: str) -> str:
+        end = _IN_BRACKETS.search(text)
+        if end is None or plain(end[1]) not in known:
+            return text
+        found[one_line(text)] = None
+        return text[: end.start()]
+
+    for place in places:
+        sheet = _with_cells(sheet, place, bare)
+    if not found:
+        return sheet, ()
+    said = message(
+        "What stands in brackets behind these names was left out: {names}. Look whether all of"
+        " them are to have a variant.",
+        names=", ".join(found),
+    )
+    return sheet, (said,)
 
 
 def with_addresses(

@@ -16,6 +16,7 @@ from gripcourse.issuing.office_list import (
     with_names,
     with_somebody,
     without_numbers,
+    without_remarks,
     without_staff,
 )
 from gripcourse.machine.content import Readable
@@ -100,11 +101,12 @@ def _understood(whole: Sheet, vocabulary: Vocabulary) -> PeopleList:
     rows = tuple(row for row in named.rows if row.number not in groups.rows)
     sheet, staff = without_staff(replace(named, rows=rows), columns)
     sheet, nobody = with_somebody(sheet, columns, vocabulary)
-    sheet, no_addresses = with_addresses(without_numbers(sheet, columns), columns)
+    sheet, remarks = without_remarks(without_numbers(sheet, columns), columns)
+    sheet, no_addresses = with_addresses(sheet, columns)
     below: tuple[Message, ...] = ()
     if "group" in columns:
         sheet, below = with_groups_below(sheet, columns["group"].position)
-    left_out = (*staff, *nobody, *no_addresses, *below)
+    left_out = (*staff, *nobody, *remarks, *no_addresses, *below)
     return PeopleList(sheet, columns, groups, tuple(problems), left_out)
 
 

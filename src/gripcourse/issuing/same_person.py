@@ -16,7 +16,7 @@ def has_same_name(one: Student, other: Student) -> bool:
 
 def is_in_same_group(one: Student, other: Student) -> bool:
     """Tell whether two groups are one: offices write РТК-41, РТК 41 and РТК41."""
-    return _letters(one.group) == _letters(other.group)
+    return letters_of(one.group) == letters_of(other.group)
 
 
 def has_same_address(one: Student, other: Student) -> bool:
@@ -58,5 +58,6 @@ def _words(student: Student) -> frozenset[str]:
     return frozenset(as_seen(student.name).replace(",", " ").split())
 
 
-def _letters(group: str) -> str:
+def letters_of(group: str) -> str:
+    """Return the letters and digits of a group, by which it is the same however it is written."""
     return "".join(filter(str.isalnum, as_seen(group)))

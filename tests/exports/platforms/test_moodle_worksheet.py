@@ -262,3 +262,25 @@ def test_the_names_in_the_zip_of_reports_are_those_that_moodle_takes(
 def test_what_is_no_text_is_refused_by_name(data: bytes, said: str) -> None:
     with pytest.raises(UsageError, match=f"^work.csv.*{said}"):
         read_worksheet(NamedBytes("work.csv", data))
+
+
+def test_where_nobody_could_be_looked_for_by_name_it_is_said(works: Works) -> None:
+    found = works({"elsewhere/s17.xlsx": "s17"})
+    source = read_worksheet(sheet(EN.replace("Full name", "Name and surname")))
+    result = fill_worksheet(source, found, lambda _: "")
+    assert (result.filled, len(result.notes)) == (0, 2)
+    assert "has no column 'Full name'" in str(result.notes[0])
+
+
+def test_a_report_that_no_number_leads_to_is_said_not_to_be_in_the_zip(
+    works: Works, tmp_path: Path
+) -> None:
+    report = tmp_path / "s17.pdf"
+    report.write_bytes(b"%PDF")
+    source = read_worksheet(sheet(EN.replace("Participant 12", "Participant")))
+    result = fill_worksheet(source, works({"elsewhere/s17.xlsx": "s17"}), lambda _: "")
+    assert result.filled == 1
+    _, (note,) = feedback_zip(result, lambda _: report, Words("en"))
+    assert "the worksheet has no number of this row" in str(note)
+    _, (note,) = feedback_zip(result, lambda _: None, Words("en"))
+    assert "grade again without --grades-only" in str(note)

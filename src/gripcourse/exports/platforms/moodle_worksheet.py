@@ -152,7 +152,8 @@ def fill_worksheet(
     rows = tuple(worksheet.rows())
     matching = match(works, [row for _, _, row in rows], worksheet.table.file)
     changed: dict[int, tuple[str, ...]] = {}
-    notes = [*_without_maximum(worksheet, matching), *matching.notes]
+    nameless = _without_names(worksheet, matching)
+    notes = [*_without_maximum(worksheet, matching), *nameless, *matching.notes]
     grade = worksheet.columns[MoodleColumn.GRADE]
     for place, cells, row in rows:
         work = matching.works.get(row.line)
@@ -171,6 +172,16 @@ def fill_worksheet(
     )
     content = worksheet.table.with_rows(changed)
     return FilledWorksheet(content, len(changed), updates, tuple(notes), matching, worksheet)
+
+
+def _without_names(worksheet: Worksheet, matching: Matching) -> Iterator[Message]:
+    """Say that nobody was looked for by name, where somebody was not found."""
+    if matching.notes and MoodleColumn.NAME not in worksheet.columns:
+        heading = HEADINGS[worksheet.language][MoodleColumn.NAME]
+        yield message(
+            "The worksheet has no column '{column}', so nobody was looked for by name.",
+            column=heading,
+        )
 
 
 def _all_columns(header: Sequence[str]) -> dict[str, dict[MoodleColumn, int]]:
