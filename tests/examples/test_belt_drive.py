@@ -23,6 +23,7 @@ from gripcourse.solver.solve import solve_variant
 from gripcourse.text.words import LANGUAGES, Words
 from gripcourse.usecases.authoring.samples import samples
 from gripcourse.usecases.authoring.validate import all_problems
+from gripcourse.usecases.solving.variants import draw_variants
 from gripcourse.variants.table import read_table
 from gripcourse.workbook.write import answer_workbook
 from support.pages import LAYOUT, SIGNATURE
@@ -99,6 +100,11 @@ def test_verdicts_of_its_table_come_out_either_way(belts: Course) -> None:
                 answers.setdefault(one.id, set()).add(values[one.id] > 0)
     assert answers
     assert all(found == {True, False} for found in answers.values()), answers
+
+
+def test_variants_of_both_schemes_can_be_drawn(belts: Course) -> None:
+    drawn = draw_variants(belts, 4, 1, None)
+    assert sorted(one.scheme for one in drawn.variants) == ["flat_belt"] * 2 + ["v_belt"] * 2
 
 
 def test_students_are_issued_to_and_graded(demo: Demo) -> None:
