@@ -377,3 +377,16 @@ def a_relation_to_a_name_of_eight_megabytes() -> bytes:
     target = b"%C3" * 2_500_000
     many = b'<Relationship Id="x" Type="a/worksheet" Target="%s"/></Relationships>' % target
     return replaced(RELATIONS, b"</Relationships>", many)
+
+
+def a_text_of_millions_of_words_that_every_title_shares() -> bytes:
+    return replaced(TEXTS, "Величина", "я " * 2_400_000)
+
+
+def a_text_of_millions_of_lines() -> bytes:
+    return replaced(TEXTS, "Величина", "я\n" * 2_400_000)
+
+
+def a_crossed_out_text_of_megabytes() -> bytes:
+    crossed = "1\u0336" * 2_400_000
+    return replaced(TEXTS, "<t> мм</t>", f"<t>{crossed}</t>")

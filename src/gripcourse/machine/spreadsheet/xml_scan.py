@@ -21,6 +21,9 @@ MOST_RELATIONS: Final = 10_000  # of all parts; each link to the network is one
 # Comments and instructions of one part; office programs write none. At each the parser copies the
 # text that it has so far: ten thousand of them behind a text of eight megabytes take 6 seconds.
 MOST_ASIDES: Final = 100
+# Of a part of which a tree is made. The parser keeps each end of a line, and the letters before it,
+# by themselves: lines of one letter take forty times their length.
+MOST_LINES: Final = 1_000_000
 
 _MOST: Final[Mapping[str, tuple[int, WhyRefused]]] = {
     "sheet": (MOST_SHEETS, WhyRefused.TOO_LARGE),
@@ -167,6 +170,8 @@ class XmlScan:
             RefusedError: as above.
             Exception: what the parser raises of unsound XML.
         """
+        if content.count(b"\n") + content.count(b"\r") > MOST_LINES:
+            raise RefusedError(WhyRefused.TOO_LARGE)
         left = self._bounds.elements - self._elements
         # Each element begins with this byte in every encoding.
         if content.count(b"<") > left or may_hold_asides(content):
