@@ -188,3 +188,7 @@ def signs_written_by_their_numbers() -> bytes:
 
 def texts_with_their_pronunciation() -> bytes:
     return replaced(TEXTS, "</r></si>", '</r><rPh sb="0" eb="1"><t>99</t></rPh></si>')
+
+
+def a_part_of_another_program_with_many_comments() -> bytes:
+    return archive({**PARTS, "customXml/item1.xml": b"<x>" + b"1<!-- -->" * 20_000 + b"</x>"})

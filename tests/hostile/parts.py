@@ -350,6 +350,25 @@ def a_million_comments_inside_a_number() -> bytes:
     return replaced(SHEET, b"<v>22941.5</v>", b"<v>" + b"1<!---->" * 900_000 + b"</v>")
 
 
+def ten_thousand_comments_behind_a_long_text() -> bytes:
+    return replaced(
+        SHEET, b"<v>22941.5</v>", b"<v>" + b"1" * 7_700_000 + b"1<!---->" * 9_900 + b"</v>"
+    )
+
+
+def a_text_of_two_byte_letters_in_pieces_between_comments() -> bytes:
+    pieces = "<v>" + ("1" * 20 + "<!---->") * 100_000 + "</v>"
+    return patched(
+        SHEET,
+        lambda part: (
+            part.decode()
+            .replace("UTF-8", "UTF-16")
+            .replace("<v>22941.5</v>", pieces)
+            .encode("utf-16")
+        ),
+    )
+
+
 def a_million_instructions_inside_a_text() -> bytes:
     return replaced(TEXTS, "<si>", "<si><t>" + "1<?a?>" * 900_000 + "</t></si><si>")
 
@@ -358,3 +377,16 @@ def a_relation_to_a_name_of_eight_megabytes() -> bytes:
     target = b"%C3" * 2_500_000
     many = b'<Relationship Id="x" Type="a/worksheet" Target="%s"/></Relationships>' % target
     return replaced(RELATIONS, b"</Relationships>", many)
+
+
+def a_text_of_millions_of_words_that_every_title_shares() -> bytes:
+    return replaced(TEXTS, "Величина", "я " * 2_400_000)
+
+
+def a_text_of_millions_of_lines() -> bytes:
+    return replaced(TEXTS, "Величина", "я\n" * 2_400_000)
+
+
+def a_crossed_out_text_of_megabytes() -> bytes:
+    crossed = "1\u0336" * 2_400_000
+    return replaced(TEXTS, "<t> мм</t>", f"<t>{crossed}</t>")

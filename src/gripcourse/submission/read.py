@@ -47,6 +47,7 @@ from gripcourse.workbook.layout import SheetColumn
 
 _NAME: Final = re.compile(r"(answer|given|meta)[._](\w{1,100})", re.ASCII)
 _LONGEST_REFERENCE: Final = 300  # characters of where one of our names points to
+_LONGEST_LABEL: Final = 500  # characters; one text of megabytes may be the label of every row
 _MOST_NAMES: Final = 10_000  # of ours
 
 _FAULTS: Final[tuple[tuple[tuple[type[Exception], ...], WhyRefused], ...]] = (
@@ -239,7 +240,7 @@ def _cells(
         if cell is EMPTY:
             return ""
         label = look.shown(cell)[0].value
-        return " ".join(label.split()) if isinstance(label, str) else ""
+        return " ".join(label[:_LONGEST_LABEL].split()) if isinstance(label, str) else ""
 
     there = {name: where for name, where in named.items() if where.sheet in sheets}
     cells = {

@@ -10,10 +10,13 @@ from gripcourse.machine.spreadsheet.sheet_cells import CROSSED_OUT, without_cros
 from gripcourse.submission.dates import about_date, about_time, is_serial_date, serial_date
 from gripcourse.submission.measure import Understood, from_number, from_text
 from gripcourse.submission.raw import CellValue, RawCell
+from gripcourse.text.number_reading import TOO_LONG
 from gripcourse.text.words import Message, message
 
 LONGEST_SHOWN: Final = 80
 """Characters of a cell that a report repeats."""
+_LONGEST_LOOKED_AT: Final = 10_000
+"""Characters; one text of megabytes may stand in every cell."""
 
 _YES: Final = frozenset({"да", "так", "yes", "+", "1", "true", "истина", "істина", "✓", "✔"})
 _NO: Final = frozenset(
@@ -55,10 +58,13 @@ def understand(quantity: Quantity, cell: RawCell) -> Understood | Message | None
     """
     if cell.value is None and not cell.formula:
         return _TEXT_LOST if cell.error else None
-    if isinstance(cell.value, str) and CROSSED_OUT in cell.value:
-        return _not_crossed_out(quantity, cell, cell.value)
-    if isinstance(cell.value, str) and not cell.value.strip():
-        return None
+    if isinstance(cell.value, str):
+        if len(cell.value) > _LONGEST_LOOKED_AT and cell.value.strip():
+            return _VERDICT_NEEDED if quantity.kind is Kind.VERDICT else TOO_LONG
+        if CROSSED_OUT in cell.value:
+            return _not_crossed_out(quantity, cell, cell.value)
+        if not cell.value.strip():
+            return None
     return _damaged(cell) or _value(quantity, cell)
 
 

@@ -47,7 +47,7 @@ _FORMULA = message(
     "A formula was typed into a cell that holds text. Set the cell's format to General and type "
     "the formula again."
 )
-_TOO_LONG = message("The text is too long to be a number.")
+TOO_LONG = message("The text is too long to be a number.")
 _OUT_OF_RANGE = message("The number is too large or too small to compute with.")
 _SIGN_LEFT_OUT = message("The sign before the number was left out; type the number alone.")
 _SYMBOL_LEFT_OUT = message("The symbol before the number was left out; type the number alone.")
@@ -104,7 +104,7 @@ def read_number(text: str) -> NumberRead | Unreadable:
         The number, or the reason why it is not one; never raises.
     """
     if len(text.strip()) > LONGEST:
-        return Unreadable(_TOO_LONG)
+        return Unreadable(TOO_LONG)
     typed = text.translate(_PLAIN).strip()
     special = special_form(typed)
     if special is not None:

@@ -16,11 +16,13 @@ from xml.etree.ElementTree import Element, ParseError, XMLPullParser
 from xml.parsers import expat
 
 from gripcourse.machine.spreadsheet.xml_scan import (
+    MOST_ASIDES,
     Bounds,
     PartCounts,
     XmlScan,
     local,
     local_name,
+    may_hold_asides,
 )
 
 Made = TypeVar("Made")
@@ -121,7 +123,7 @@ class Package:
             KeyError, Exception: as above.
         """
         whole = self._content(part)
-        self._scan.check(whole)
+        self._scan.check(whole, most_asides=MOST_ASIDES)
         content = memoryview(whole)
         parser: XMLPullParser[Element] = XMLPullParser(("end",))
         for start in range(0, len(content), _PORTION):
@@ -255,6 +257,9 @@ class Package:
 
 
 def _go_through(content: bytes, scan: XmlScan) -> None:
+    if may_hold_asides(content):  # which cost a tree too much, and nothing without one
+        scan.check(content)
+        return
     try:
         scan.root(content)  # faster, but each prefix must mean something
     except (ParseError, LookupError, UnicodeError):

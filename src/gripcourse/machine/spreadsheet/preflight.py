@@ -86,9 +86,11 @@ def read_checked(
     except Exception as fault:  # noqa: BLE001 (whatever the bytes make a library raise)
         failed = fault.with_traceback(None)  # which holds all that was read
     reason = refusal(name, data, bounds)
-    if reason is None:
-        raise failed
-    return reason
+    if reason is not None:
+        return reason
+    if isinstance(failed, RefusedError):  # for what only who reads a part must not meet
+        return failed.reason
+    raise failed
 
 
 def refusal(name: str, data: bytes, bounds: Bounds = SUBMISSION) -> WhyRefused | None:

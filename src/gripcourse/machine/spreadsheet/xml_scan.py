@@ -18,9 +18,12 @@ DEEPEST: Final = 100  # elements inside each other; office programs stay below 2
 MOST_COVERED: Final = 100_000  # cells; the reader makes one for each cell that a range covers
 MOST_RANGES: Final = 5_000
 MOST_RELATIONS: Final = 10_000  # of all parts; each link to the network is one
-# Comments and instructions of one part; office programs write none. The parser joins the text on
-# both sides of each: a million of them inside of a text take 12 seconds.
-MOST_ASIDES: Final = 10_000
+# Comments and instructions of one part; office programs write none. At each the parser copies the
+# text that it has so far: ten thousand of them behind a text of eight megabytes take 6 seconds.
+MOST_ASIDES: Final = 100
+# Of a part of which a tree is made. The parser keeps each end of a line, and the letters before it,
+# by themselves: lines of one letter take forty times their length.
+MOST_LINES: Final = 1_000_000
 
 _MOST: Final[Mapping[str, tuple[int, WhyRefused]]] = {
     "sheet": (MOST_SHEETS, WhyRefused.TOO_LARGE),
@@ -111,8 +114,12 @@ class XmlScan:
         if size > self._bounds.part or self._unpacked > self._bounds.total:
             raise RefusedError(WhyRefused.TOO_LARGE)
 
-    def check(self, content: bytes) -> None:
-        """Go through a part that nobody reads; prefixes of it need not mean anything.
+    def check(self, content: bytes, *, most_asides: int | None = None) -> None:
+        """Go through a part without making a tree of it; prefixes need not mean anything.
+
+        Args:
+            content: of the part.
+            most_asides: comments and instructions that it may have; None for any number.
 
         Raises:
             RefusedError: it holds too much, or what no spreadsheet program writes.
@@ -140,11 +147,12 @@ class XmlScan:
         def pass_by(*_aside: str) -> None:
             nonlocal asides
             asides += 1
-            if asides > MOST_ASIDES:
+            if asides > (most_asides or 0):
                 raise RefusedError(WhyRefused.FOREIGN_CONTENT)
 
         parser = expat.ParserCreate()
-        parser.CommentHandler = parser.ProcessingInstructionHandler = pass_by
+        if most_asides is not None:
+            parser.CommentHandler = parser.ProcessingInstructionHandler = pass_by
         parser.StartElementHandler = enter
         parser.EndElementHandler = leave
         parser.StartDoctypeDeclHandler = _refuse_declarations
@@ -162,10 +170,12 @@ class XmlScan:
             RefusedError: as above.
             Exception: what the parser raises of unsound XML.
         """
+        if content.count(b"\n") + content.count(b"\r") > MOST_LINES:
+            raise RefusedError(WhyRefused.TOO_LARGE)
         left = self._bounds.elements - self._elements
         # Each element begins with this byte in every encoding.
-        if content.count(b"<") > left or _may_hold_asides(content):
-            XmlScan(replace(self._bounds, elements=left)).check(content)
+        if content.count(b"<") > left or may_hold_asides(content):
+            XmlScan(replace(self._bounds, elements=left)).check(content, most_asides=MOST_ASIDES)
         # A builder that is asked about declarations makes a tree slower than one that is not.
         builder = _Builder() if _may_declare(content) else TreeBuilder()
         parser: XMLParser[Element] = XMLParser(target=builder)  # noqa: S314 (checked)
@@ -209,9 +219,9 @@ def _may_declare(content: bytes) -> bool:
     return b"<!DOCTYPE" in content or b"\0" in content
 
 
-def _may_hold_asides(content: bytes) -> bool:
+def may_hold_asides(content: bytes) -> bool:
     """Tell whether a part may have more comments and instructions than programs write."""
-    return content.count(b"<!--") + content.count(b"<?") > MOST_ASIDES
+    return b"\0" in content or content.count(b"<!--") + content.count(b"<?") > MOST_ASIDES
 
 
 class _Builder(TreeBuilder):
