@@ -216,8 +216,18 @@ def hydraulic(plan: Plan, policy: Policy) -> Case:
 @pytest.fixture(scope="session")
 def flat_belt() -> Case:
     """The worked example of a flat belt that slips at the first width that is wide enough."""
+    return _belt_example("flat_belt")
+
+
+@pytest.fixture(scope="session")
+def v_belt() -> Case:
+    """The worked example of a V-belt drive."""
+    return _belt_example("v_belt")
+
+
+def _belt_example(name: str) -> Case:
     belts = load_course(BELTS)
-    scheme = belts.schemes["flat_belt"]
+    scheme = belts.schemes[name]
     assert scheme.example is not None
     plan = make_plan(belts, scheme.id, scheme.example.options)
     given = {one.id: scheme.example.given[one.id] for one in plan.givens}

@@ -46,6 +46,16 @@ def test_either_way_from_an_earlier_mistake_costs_once(
         assert case.lost({**written, later: way}) == {quantity}
 
 
+@pytest.mark.parametrize(("wrap", "factor"), [(314.0, 1.0), (35.0, 0.56), (12.6, 0.56)])
+def test_what_lies_beyond_a_table_is_read_from_its_last_row(
+    v_belt: "Case", wrap: float, factor: float
+) -> None:
+    """Of an angle that can be and of one that cannot; another row is a mistake of its own."""
+    answers = v_belt.following(wrap_angle=wrap, wrap_factor=factor)
+    assert v_belt.lost(answers) == {"wrap_angle"}
+    assert "wrap_factor" in v_belt.lost({**answers, "wrap_factor": 0.73})
+
+
 def _by_another_way(own: Mapping[str, float]) -> dict[str, float]:
     apart = own["stroke_required"] - own["rod_path_at_max"]
     losses = ("mechanism_efficiency", "screw_efficiency", "drive_efficiency")

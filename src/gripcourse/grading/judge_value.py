@@ -10,6 +10,7 @@ from gripcourse.grading.comparison import Comparison, ExpectedRange, Judgement, 
 from gripcourse.grading.judge_blank import judge_through_blank
 from gripcourse.grading.judge_rough import judge_rough
 from gripcourse.grading.model import Against, Outcome
+from gripcourse.grading.past_table import follows_from_the_last_row
 from gripcourse.grading.shortened import judge_shortened
 from gripcourse.slips.model import SlipId
 from gripcourse.text.words import Message, message
@@ -53,6 +54,7 @@ def _matches(comparison: Comparison) -> Iterator[Judgement]:
         _follows(comparison, comparison.follows)
         or _follows_by_route(comparison)
         or _follows_in_size(comparison)
+        or follows_from_the_last_row(comparison)
     ):
         yield _conclude(
             comparison,
