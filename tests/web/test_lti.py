@@ -372,6 +372,18 @@ def test_what_is_forged_opens_nothing(
     assert store_of(school.context).places() == before
 
 
+def test_who_wants_to_choose_content_is_told_that_there_is_none_to_choose(
+    school: LtiCourse,
+) -> None:
+    client = school.client()
+    one = attempt(school, client)
+    _, forge = FORGED["other_message"]
+    sent = {"id_token": forge(one), "state": one.asked["state"]}
+    answer = client.post("/lti/launch", data=sent, headers={"accept-language": "en"})
+    assert "nothing to choose here" in answer.text
+    assert "not from your learning platform" not in answer.text
+
+
 def test_a_token_that_is_right_passes_where_each_forged_one_failed(school: LtiCourse) -> None:
     client = school.client()
     one = attempt(school, client)

@@ -77,6 +77,11 @@ _SAID: Final[Mapping[LaunchRefusal, Message]] = {
         "Your learning platform did not say who you are. Sign in there, and open the assignment"
         " there again."
     ),
+    LaunchRefusal.MESSAGE: message(
+        "Your learning platform asks for something else than to open the assignment, such as to"
+        " choose content: there is nothing to choose here. As an instructor, add an external tool"
+        " without selecting content, and open that."
+    ),
     LaunchRefusal.ROLE: message(
         "Your learning platform does not say that you are a student or an instructor of its course."
     ),

@@ -145,3 +145,9 @@ def test_a_password_is_never_shown() -> None:
     url = make_url("postgresql+psycopg://teacher:secret@localhost/course")
     assert "secret" not in without_password(url)
     assert "teacher" in without_password(url)
+
+
+@pytest.mark.parametrize("option", ["password", "sslpassword", "pasword"])
+def test_an_option_that_may_be_a_secret_is_not_shown(option: str) -> None:
+    url = make_url(f"postgresql+psycopg://teacher@/course?host=db.uni.ua&{option}=secret")
+    assert without_password(url) == "postgresql+psycopg://teacher@/course?host=db.uni.ua"

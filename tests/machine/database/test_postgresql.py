@@ -170,6 +170,18 @@ class TestRefusals:
             pass
 
 
+def test_a_reader_does_not_wait_for_ever_for_a_locked_table(
+    place: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(opening, "_SECONDS_TO_WAIT", 1)
+    engine = open_engine(place)
+    with create_engine(place, poolclass=NullPool).begin() as administrator:
+        administrator.execute(text(f"LOCK TABLE {register.persons.name}"))
+        with pytest.raises(GradebookError, match="does not end"), refusals_named("here"):
+            persons(engine)
+    assert persons(engine) == 0
+
+
 class TestGoingAway:
     """The server is killed, and started again."""
 

@@ -92,7 +92,6 @@ def writing(engine: Engine) -> Iterator[Connection]:
         if engine.dialect.name == "sqlite":
             connection.exec_driver_sql("BEGIN IMMEDIATE")
         elif engine.dialect.name == _POSTGRESQL:
-            connection.exec_driver_sql(f"SET LOCAL lock_timeout = '{_SECONDS_TO_WAIT}s'")
             connection.exec_driver_sql("SELECT pg_advisory_xact_lock(hashtext('gripcourse'))")
         yield connection
 
@@ -137,7 +136,7 @@ def _connected(url: URL) -> Engine:
         arguments = {"timeout": _SECONDS_TO_WAIT, "isolation_level": None}
         return _cleaning(create_engine(url, poolclass=NullPool, connect_args=arguments))
     try:
-        return _cleaning(create_engine(url, poolclass=NullPool, **_options(url)))
+        return _patient(_cleaning(create_engine(url, poolclass=NullPool, **_options(url))))
     except (NoSuchModuleError, ModuleNotFoundError) as fault:
         raise failure(
             without_password(url),
@@ -171,6 +170,17 @@ def _cleaning(engine: Engine) -> Engine:
         _many: bool,  # noqa: FBT001 (as the library calls it)
     ) -> tuple[str, Any]:
         return statement, storable(parameters)
+
+    return engine
+
+
+def _patient(engine: Engine) -> Engine:
+    """Let nothing wait for ever, a reader neither: who locks a table may have gone to lunch."""
+    if engine.dialect.name == _POSTGRESQL:
+
+        @event.listens_for(engine, "begin")
+        def wait_no_longer(connection: Connection) -> None:
+            connection.exec_driver_sql(f"SET LOCAL lock_timeout = '{_SECONDS_TO_WAIT}s'")
 
     return engine
 

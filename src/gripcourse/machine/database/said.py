@@ -22,14 +22,17 @@ _AGAIN: Final = message(
     "Start the same again when it is back: each step is kept whole or not at all, and none is kept"
     " twice."
 )
-_SECRETS: Final = ("password", "sslpassword", "passfile")
+# What a URL may ask for that is no secret. Anything else may be one, under a mistyped name too.
+_SHOWN: Final = frozenset({"host", "hostaddr", "port", "service", "sslmode", "connect_timeout"})
 
 
 def without_password(url: URL) -> str:
     """Write a URL for a person, without its password; a plain file as its path."""
     if url.get_backend_name() == "sqlite" and url.database:
         return url.database
-    return url.difference_update_query(_SECRETS).render_as_string(hide_password=True)
+    return url.difference_update_query(url.query.keys() - _SHOWN).render_as_string(
+        hide_password=True
+    )
 
 
 @contextmanager
