@@ -14,6 +14,7 @@ sheets. It offers to every template
     text | symbol            a declared symbol as a formula writes it
     text | prose             a title or a sentence; symbols and powers in it look as in a formula
     text | below             the same for a browser, in the letters round it: `d_1` with a low 1
+    text | lowered           likewise of a plain formula, with no sign in it that is not typed
     box | formula            a formula
     box | mathml             a formula for a browser; mathml(large=True) on a line of its own
     box | plain              a formula as one line of text
@@ -31,7 +32,7 @@ from functools import lru_cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from gripcourse.documents.prose import below, prose, seen
+from gripcourse.documents.prose import below, lowered, prose, seen
 from gripcourse.documents.sharing.switch import shared_between_documents
 from gripcourse.documents.template_faults import is_of_a_template, template_problem
 from gripcourse.documents.two_columns import groups, two_columns
@@ -219,6 +220,7 @@ def template_environment(
         "day": lambda day: day_text(day, words),
         "prose": prose,
         "below": below,
+        "lowered": lowered,
         "symbol": lambda symbol: _markup(declared_symbol(symbol)) if symbol else "",
         "formula": _markup,
         "mathml": _mathml,

@@ -53,11 +53,16 @@ def prose(title: object) -> "Markup":
 
 def below(title: object) -> "Markup":
     """Return a title as HTML with the subscripts of its symbols; their letters stay as they are."""
+    return lowered(_kept_together(title))
+
+
+def lowered(formula: str) -> "Markup":
+    """Return a plain formula likewise, with no sign for the eye alone: it is there to be copied."""
     from markupsafe import Markup, escape
 
     looking = Markup("").join(
         Markup("<sub>{}</sub>").format(run) if low else escape(run)
-        for run, low in subscript_runs(_kept_together(title))
+        for run, low in subscript_runs(formula)
     )
     return Markup(_raised(str(looking)))  # noqa: S704 - escaped
 
