@@ -363,7 +363,7 @@ def test_no_line_ends_between_the_sign_of_a_verdict_and_what_it_means(
         page = printed(blank(perfect, "bore")).decode()
     for outcome in (Outcome.CORRECT, Outcome.BLANK):
         word = RUSSIAN.say(outcome.traits.word)
-        assert f"<b>{outcome.traits.sign}\u00a0{word}</b>" in unescape(page)
+        assert f"<b>{outcome.traits.sign}\u00a0{word}:</b>" in unescape(page)
 
 
 def test_no_line_of_the_head_begins_with_a_separator(perfect: Report, printed: Printer) -> None:
