@@ -73,6 +73,13 @@ def test_where_no_rule_says_which_counts_a_person_is_asked(
         )
 
 
+def test_a_student_without_a_report_is_named(
+    issued: "Classroom", perfect: Report, tmp_path: Path
+) -> None:
+    with pytest.raises(UsageError, match="There is no report of s09"):
+        gradescope_file(several(issued, perfect, True), "s09", tmp_path / "r", published=False)
+
+
 def test_who_handed_in_nothing_is_named_in_the_results_of_a_batch(issued: "Classroom") -> None:
     lacking = replace(issued.register["s02"].student, email="s02@x.example")
     read = json.loads(json_text([], Words("en"), missing=[lacking]))

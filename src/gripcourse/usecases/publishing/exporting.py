@@ -235,6 +235,10 @@ def _only_report(results: Results, student: str) -> ReportResult:
     for chosen in (found, counting):
         if len(chosen) == 1:
             return chosen[0]
+    if student and not found:
+        what = message("There is no report of {student}.", student=student)
+        remedy = message("Name a student whose work is in this grading, by the id.")
+        raise UsageError([Problem("", "", what, remedy, parameter="student")])
     what = message("There are {count} reports to choose from, not one.", count=len(found))
     remedy = message("Name the student, or grade one submission alone.")
     raise UsageError([Problem("", "", what, remedy)])
