@@ -46,7 +46,7 @@ def prose(title: object) -> "Markup":
     """Return a title as HTML; a symbol in it, `v_1`, looks as it does in a formula."""
     from markupsafe import Markup, escape
 
-    written = _unbroken(str(escape(_kept_together(title))))
+    written = _unbroken(str(escape(_joined_inside(_kept_together(title)))))
     looking = SYMBOL.sub(lambda found: html(symbol_box(found[0])), written)
     return Markup(_raised(looking))  # noqa: S704 - escaped
 
@@ -80,13 +80,17 @@ def _raised(escaped: str) -> str:
     return _POWER.sub(lambda found: f"<sup>{found[1] or found[2]}</sup>", escaped)
 
 
-def _kept_together(title: object) -> str:
-    """Let no line end before or in a unit, after a sign of a formula, in the name of a standard."""
-    together = _before_a_unit().sub(NO_BREAK_SPACE, str(seen(title)))
-    together = _STANDARD.sub(NO_BREAK_SPACE, together)
+def _joined_inside(together: str) -> str:
+    """Let no line of a sentence end inside a unit, after a function's name or a relation."""
     for joined in (_FUNCTION, _RELATION):
         together = joined.sub(rf"\1{NO_BREAK_SPACE}", together)
-    together = _inside_a_unit().sub(rf"\g<0>{_JOINER}", together)
+    return _inside_a_unit().sub(rf"\g<0>{_JOINER}", together)
+
+
+def _kept_together(title: object) -> str:
+    """Let no line end before a unit, at the minus of a formula, inside the name of a standard."""
+    together = _before_a_unit().sub(NO_BREAK_SPACE, str(seen(title)))
+    together = _STANDARD.sub(NO_BREAK_SPACE, together)
     return together.replace(" − ", f"{NO_BREAK_SPACE}−{NO_BREAK_SPACE}")
 
 

@@ -59,7 +59,8 @@ class Page(HTMLParser):
             assert self._open.pop() == tag
 
     def handle_data(self, data: str) -> None:
-        data = data.replace(NO_BREAK_SPACE, " ")  # keeps a number and its unit together
+        # Signs that keep a number and its unit together, and what stands in a unit.
+        data = data.replace(NO_BREAK_SPACE, " ").replace("\N{WORD JOINER}", "")
         self._of_entry.append(data)
         if "td" in self._open or "th" in self._open:
             self.rows[-1][-1] += data
