@@ -12,6 +12,7 @@ import pytest
 from gripcourse import __version__
 from gripcourse.cli import main as cli
 from gripcourse.cli.loudness import is_quiet, is_verbose
+from gripcourse.cli.options import NEEDS_PERSON
 from gripcourse.errors import Problem
 from gripcourse.text.words import message
 from gripcourse.usecases.authoring.validate import Validation
@@ -106,7 +107,7 @@ def test_quiet_keeps_whose_documents_could_not_be_made(
         "gripcourse.usecases.issuing.issue.issue_order", lambda *_, **__: Issuing((lost,), ())
     )
     asked = ("-q", "issue", "--roster", str(tmp_path / "r.csv"), "--out", str(tmp_path / "out"))
-    assert say(*asked) == (cli.NEEDS_PERSON, "s01: The disk is full.\n", "")
+    assert say(*asked) == (NEEDS_PERSON, "s01: The disk is full.\n", "")
 
 
 def test_verbose_tells_how_it_ended(

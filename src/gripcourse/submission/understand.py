@@ -59,7 +59,7 @@ def understand(quantity: Quantity, cell: RawCell) -> Understood | Message | None
     if cell.value is None and not cell.formula:
         return _TEXT_LOST if cell.error else None
     if isinstance(cell.value, str):
-        if len(cell.value) > _LONGEST_LOOKED_AT and cell.value.strip():
+        if len(cell.value.strip()) > _LONGEST_LOOKED_AT:
             return _VERDICT_NEEDED if quantity.kind is Kind.VERDICT else TOO_LONG
         if CROSSED_OUT in cell.value:
             return _not_crossed_out(quantity, cell, cell.value)

@@ -55,8 +55,8 @@ def feedback_zip(
 def no_report(work: GradedWork) -> Message:
     """Say that a work has no report, or one of an earlier grading, and what to do."""
     return message(
-        "No report of {student} tells the points of these grades: grade again without"
-        " --grades-only.",
+        "No report of {student} tells the points of these grades: grade again and let reports be"
+        " written.",
         student=work.said,
     )
 
