@@ -283,4 +283,4 @@ def test_a_report_that_no_number_leads_to_is_said_not_to_be_in_the_zip(
     _, (note,) = feedback_zip(result, lambda _: report, Words("en"))
     assert "the worksheet has no number of this row" in str(note)
     _, (note,) = feedback_zip(result, lambda _: None, Words("en"))
-    assert "grade again without --grades-only" in str(note)
+    assert "grade again and let reports be written" in str(note)

@@ -9,6 +9,7 @@ from gripcourse.machine.jobs.certificates import demand_certificates
 from gripcourse.text.words import Words
 
 dask = pytest.importorskip("dask")
+pytest.importorskip("distributed")  # its defaults: whoever imports them inside of others loses them
 ADDRESS = "tls://10.0.0.1:8786"
 
 

@@ -8,6 +8,7 @@ import pytest
 
 from gripcourse.course.load import load_course
 from gripcourse.course.source_files import SourceFiles, source_files
+from gripcourse.machine.jobs import warm
 from gripcourse.machine.jobs.lost import Lost
 from gripcourse.machine.resources import template_folders
 from gripcourse.policy.load import load_policy
@@ -55,6 +56,7 @@ class Tries:
 
 @pytest.fixture(scope="module")
 def tries(tmp_path_factory: pytest.TempPathFactory) -> Tries:
+    warm._dismiss_all()  # noqa: SLF001 (one that other tests started may keep its courses elsewhere)
     root = Path(shutil.copytree(COURSE, tmp_path_factory.mktemp("tried") / "course"))
     (root / "templates").mkdir(exist_ok=True)
     plain = (REPOSITORY / "templates" / SHEET).read_text(encoding="utf-8")
