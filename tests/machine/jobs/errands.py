@@ -169,3 +169,8 @@ def put_more(item: int, shelved: Sequence[int]) -> tuple[int, ...]:
     """Return what lies on a shelf, with something more that this worker puts there."""
     assert isinstance(shelved, Shelved)
     return tuple(shelved.with_changes([(0, item)]))
+
+
+def hears_interrupts(_: int, __: None) -> bool:
+    """Tell whether Ctrl-C ends what this process does."""
+    return signal.getsignal(signal.SIGINT) is signal.default_int_handler

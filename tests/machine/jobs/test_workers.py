@@ -23,6 +23,7 @@ from gripcourse.machine.jobs.pools import (
     Executing,
     Initializer,
     Pool,
+    foresee_processes,
     pool_for,
 )
 from gripcourse.machine.jobs.warm import do_apart
@@ -164,6 +165,18 @@ def test_where_what_workers_are_forks_of_is_killed_another_takes_its_place(
         origin = _forkserver._forkserver_pid  # type: ignore[attr-defined]  # noqa: SLF001
         os.kill(origin, signal.SIGKILL)
         os.waitid(os.P_PID, origin, os.WEXITED | os.WNOWAIT)
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="workers are forks on Linux only")
+def test_an_interrupt_ends_no_preparation_and_workers_hear_it(errands: ModuleType) -> None:
+    """Ctrl-C comes to all processes of a terminal; the one that was called answers for it."""
+    _forkserver._stop()  # type: ignore[attr-defined]  # noqa: SLF001 (made for tests)
+    foresee_processes("gripcourse.batch.run")
+    origin = _forkserver._forkserver_pid  # type: ignore[attr-defined]  # noqa: SLF001
+    os.kill(origin, signal.SIGINT)
+    jobs = run_each(errands.hears_interrupts, [1], None, workers=1, seconds=60)
+    assert in_order(jobs) == (True,)
+    assert _forkserver._forkserver_pid == origin  # type: ignore[attr-defined]  # noqa: SLF001
 
 
 def test_a_place_for_temporary_files_may_have_a_long_path(tmp_path: Path) -> None:

@@ -6,8 +6,10 @@ who has jobs to do has to know.
 """
 
 import os
+import signal
 import sys
-from collections.abc import Callable
+import threading
+from collections.abc import Callable, Iterator
 from concurrent.futures import (
     BrokenExecutor,
     Executor,
@@ -15,6 +17,7 @@ from concurrent.futures import (
     ProcessPoolExecutor,
     ThreadPoolExecutor,
 )
+from contextlib import contextmanager
 from dataclasses import dataclass
 from multiprocessing import get_context
 from multiprocessing.context import BaseContext
@@ -74,7 +77,8 @@ class Pool:
 def _processes(workers: int, first: Initializer, arguments: tuple[Any, ...]) -> Executor:
     demand_room()
     most = _MOST_ON_WINDOWS if sys.platform == "win32" else workers
-    packed = packed_for_workers((dict(os.environ), limits_of_system()))
+    is_deaf = signal.getsignal(signal.SIGINT) is signal.SIG_IGN
+    packed = packed_for_workers((dict(os.environ), limits_of_system(), is_deaf))
     return ProcessPoolExecutor(min(workers, most), _context(), _begin, (packed, first, arguments))
 
 
@@ -106,16 +110,32 @@ def _context(*modules: str) -> BaseContext:
     imported = [one for one in sys.modules if one.partition(".")[0] == ours]
     context.set_forkserver_preload([*modules, *imported])
     try:
-        ensure_running()
+        with _deaf_to_interrupts():
+            ensure_running()
     except OSError:  # it needs a place for temporary files, whose path is not too long
         return get_context("spawn")
     return context
 
 
+@contextmanager
+def _deaf_to_interrupts() -> Iterator[None]:
+    """Let what is started meanwhile ignore Ctrl-C: this process hears it, and ends the other."""
+    before = signal.getsignal(signal.SIGINT)
+    if before is None or threading.current_thread() is not threading.main_thread():
+        yield
+        return
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGINT, before)
+
+
 def _begin(packed: Packed, first: Initializer, arguments: tuple[Any, ...]) -> None:
     """Take over what this process has, in the worker, and do what it does first."""
-    environment, allowed = packed.unpacked()
-    # What it is a fork of may have been started in another one, and with other limits.
+    environment, allowed, is_deaf = packed.unpacked()
+    # What it is a fork of may have been started in another one, with other limits, and is deaf.
+    signal.signal(signal.SIGINT, signal.SIG_IGN if is_deaf else signal.default_int_handler)
     keep_within(allowed)
     os.environ.clear()
     os.environ.update(environment)
