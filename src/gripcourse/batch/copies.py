@@ -2,7 +2,8 @@
 
 import traceback
 from array import array
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 
 from gripcourse.batch.duplicates import with_flags
@@ -13,7 +14,7 @@ from gripcourse.grading.made_for import versions_of
 from gripcourse.grading.model import Report
 from gripcourse.likeness.evidence import find_evidence
 from gripcourse.likeness.flags import flags_by_student
-from gripcourse.likeness.issued import issued_values, solved_anew
+from gripcourse.likeness.issued import issued_values, solved_ahead, solved_anew
 from gripcourse.likeness.model import Evidence
 from gripcourse.likeness.works import work_of
 from gripcourse.machine.shelf import Viewed
@@ -74,15 +75,23 @@ def evidence_of(
         for report in (reports[place] for place in judged.places)
     )
 
-    def variant(student: str) -> tuple[str, Variant]:
-        return student, judged.issued_to(student, context).variant
-
-    variants = Viewed(tuple(context.register), variant)
-    about = repr((sorted(judged.made_for.items()), sorted(judged.by.items())))
     declared = {owner: context.declared[name] for owner, name in judged.by.items()}
-    tables = solved_anew if kept is None else kept.issued_values(about)
-    values = issued_values(context.course, variants, declared, tables)
+    tables = solved_anew if kept is None else kept.issued_values(judged.about)
+    values = issued_values(context.course, judged.variants(context), declared, tables)
     return find_evidence(works, values, context.policy.likeness)
+
+
+def solve_ahead(context: GradingContext, kept: KeptReports) -> Iterator[None]:
+    """Solve what works will be compared with, some variants at each step, and keep it.
+
+    So it is done while workers judge. Where somebody handed in a work of an earlier version, all is
+    solved again by who compares; so it is where this fails, which is told there.
+    """
+    nobody = _Judged(array("q"), {}, {})
+    with suppress(Exception):
+        yield from solved_ahead(
+            context.course, nobody.variants(context), kept.issued_values(nobody.about)
+        )
 
 
 @dataclass(frozen=True, slots=True)
@@ -113,6 +122,19 @@ class _Judged:
                 if report.student in context.earlier:
                     made_for[report.student] = report.made_for
         return cls(places, made_for, by)
+
+    @property
+    def about(self) -> str:
+        """What tells which of all versions are compared, and by which declarations."""
+        return repr((sorted(self.made_for.items()), sorted(self.by.items())))
+
+    def variants(self, context: GradingContext) -> Sequence[tuple[str, Variant]]:
+        """Return what everybody was issued that works are compared with, with its owner."""
+
+        def variant(student: str) -> tuple[str, Variant]:
+            return student, self.issued_to(student, context).variant
+
+        return Viewed(tuple(context.register), variant)
 
     def issued_to(self, student: str, context: GradingContext) -> Issued:
         """Return what a work was made for: whoever had an earlier version has its numbers."""

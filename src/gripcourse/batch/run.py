@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any, TypeAlias
 
-from gripcourse.batch.copies import like_others
+from gripcourse.batch.copies import like_others, solve_ahead
 from gripcourse.batch.doubts import in_doubt
 from gripcourse.batch.duplicates import doubles
 from gripcourse.batch.graded import Graded, on_a_shelf, reports_of, with_reports
@@ -79,7 +79,8 @@ def grade_files(  # noqa: PLR0913 (the last ones are what everybody leaves as th
         wanted: what will be asked of the findings of each, derived where they are made.
     """
     job = _Job(context, grade_one, tuple(wanted))
-    grading = _Grading(files, job, workers, seconds, pool, kept, on_done)
+    meanwhile = iter(()) if kept is None else solve_ahead(context, kept)
+    grading = _Grading(files, job, workers, seconds, pool, kept, on_done, meanwhile)
     alone = on_a_shelf().filled(len(files), grading.each())
     return compared(alone.with_changes(grading.again(alone)), context, kept)
 
@@ -89,6 +90,7 @@ class _Grading:
     """Grading single files of a batch, each for itself; see `grade_files`.
 
     Attributes:
+        meanwhile: does something at each step that there will be time for while workers judge.
         open: places of the files that LibreOffice could make more of.
     """
 
@@ -99,6 +101,7 @@ class _Grading:
     pool: Pool
     kept: KeptReports | None
     on_done: Callable[[Readable], None]
+    meanwhile: Iterator[None]
     open: "array[int]" = field(default_factory=lambda: array("q"))
 
     def each(self) -> Iterator[tuple[int, Graded]]:
@@ -114,13 +117,15 @@ class _Grading:
             _grade, Viewed(left, self.files.__getitem__), self.job, workers=self.workers,
             seconds=self.seconds, pool=self.pool, send=_in_memory, together=_TOGETHER,
         )  # fmt: skip
-        for place, report in jobs:
+        for done, (place, report) in enumerate(jobs, start=1):
             number = left[place]
             if isinstance(report, Report) and self._can_look_again(report):
                 self.open.append(number)
             yield number, self._found(number, report)
             _log.info("graded %s", shown(shown_name(self.files[number])))
             self.on_done(self.files[number])
+            if done < len(left):
+                next(self.meanwhile, None)
 
     def again(self, alone: Sequence[Graded]) -> Iterator[tuple[int, Graded]]:
         """Grade those files again of which LibreOffice could make more."""

@@ -16,6 +16,9 @@ _DOCUMENTS: Final = (
 
 GRADING: Final = (
     "gripcourse.batch.run",
+    # What is derived of findings where they are made, and how the register travels.
+    *("gripcourse.exports.grades", "gripcourse.exports.report_json"),
+    *("gripcourse.gradebook.results", "gripcourse.issuing.shelved"),
     # Not imported with it, since not every batch needs them.
     *("openpyxl", "babel.dates", "babel.messages.pofile", "numpy.random"),
 )

@@ -91,6 +91,13 @@ def grade(  # noqa: PLR0913 (one parameter per option)
     language: LanguageOption = None,
 ) -> None:
     """Grade workbooks against the issued values; write reports, a cohort summary and grades."""
+    from gripcourse.usecases.grading.versions import EARLIER
+
+    modules = GRADING if grades_only else (*GRADING, *REPORTS)
+    if json or afresh or not (out / EARLIER).exists():
+        # Nothing can be as an earlier run left it: workers will be needed.
+        foresee(modules, workers, cluster)
+
     from gripcourse.machine.office import office_command, office_identity
     from gripcourse.usecases.grading.as_before import GradingAsked, beginning
     from gripcourse.usecases.grading.collect import collect
@@ -120,6 +127,7 @@ def grade(  # noqa: PLR0913 (one parameter per option)
     begun = beginning(GradingAsked(root, gradebook_place(gradebook, root), out, found, options))
     said = None if json or afresh else begun.said_before()
     if said is None:
+        foresee(modules, workers, cluster)
         needs_person = _grade_anew(begun, order, manner)
     else:
         now, files = datetime.now(UTC), len(found.files)
@@ -153,9 +161,6 @@ class _Manner:
 
 def _grade_anew(begun: "Beginning", order: _Order, manner: _Manner) -> bool:
     """Grade what an earlier run did not, and say all; tell whether something needs a person."""
-    wanted = GRADING if order.grades_only else (*GRADING, *REPORTS)
-    foresee(wanted, manner.workers, manner.cluster)
-
     from gripcourse.machine.files import make_private_folder
     from gripcourse.machine.jobs.cluster import open_workers
     from gripcourse.usecases.grading import grade as command

@@ -59,11 +59,11 @@ def _alike(case: GradingCase, judged: JudgedAnswer) -> _Alike | None:
 
 def _named(case: GradingCase, judged: JudgedAnswer) -> list[_Mistake]:
     """Return what was done wrongly, and in a formula of which form, where that is named."""
-    slip, alike = judged.judgement.slip, _alike(case, judged)
-    mistaken = judged.judgement.outcome.traits.mistake
-    if not mistaken or slip is None or slip.kind == USED or alike is None:
+    slip, mistaken = judged.judgement.slip, judged.judgement.outcome.traits.mistake
+    if not mistaken or slip is None or slip.kind == USED:
         return []
-    return [(one, alike) for one in (slip, *judged.judgement.tied)]
+    alike = _alike(case, judged)
+    return [] if alike is None else [(one, alike) for one in (slip, *judged.judgement.tied)]
 
 
 def _once(case: GradingCase, judged: JudgedAnswer, first: Mapping[_Mistake, str]) -> JudgedAnswer:
@@ -85,9 +85,10 @@ def _repeated(
 
     Alone it was in doubt: of a small angle nobody can tell radians from its sine.
     """
-    alike, comparison = _alike(case, judged), judged.comparison
-    if alike is None or comparison is None or not is_unexplained(case, judged):
+    comparison = judged.comparison
+    if not first or comparison is None or not is_unexplained(case, judged):
         return []
+    alike = _alike(case, judged)
     slips = {slip for slip, of in first if of == alike}
     if not slips:
         return []

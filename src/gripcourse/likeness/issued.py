@@ -2,7 +2,7 @@
 
 import math
 from array import array
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
 from types import MappingProxyType
@@ -159,12 +159,7 @@ def issued_values(
         kept: returns what an earlier run solved.
     """
     kinds = _kinds(course, variants, declared)
-    count = len(kinds.owners)
-    begins = range(0, count, _TOGETHER)
-    tables = Shelved(
-        kept(number, partial(kinds.table, variants, at, min(at + _TOGETHER, count)))
-        for number, at in enumerate(begins)
-    )
+    tables = Shelved(_tables(kinds, variants, kept))
     return IssuedValues(
         owners=kinds.owners,
         quantities=tuple(kinds.exact),
@@ -173,6 +168,30 @@ def issued_values(
         families=kinds.families(tables),
         discrete=np.array(list(kinds.exact.values()), bool),
     )
+
+
+def solved_ahead(
+    course: Course, variants: Sequence[tuple[str, Variant]], kept: KeptTable
+) -> Iterator[None]:
+    """Solve variants before anybody asks for them, some at each step, so that they are kept.
+
+    Args:
+        course: that they belong to.
+        variants: each with its owner, as `issued_values` will be asked for them.
+        kept: keeps what they come to.
+    """
+    for _ in _tables(_kinds(course, variants, _TODAY), variants, kept):
+        yield
+
+
+def _tables(
+    kinds: _Kinds, variants: Sequence[tuple[str, Variant]], kept: KeptTable
+) -> Iterator[SparseTable]:
+    """Yield the tables of `IssuedValues`, each solved when its turn comes."""
+    count = len(kinds.owners)
+    for number, begin in enumerate(range(0, count, _TOGETHER)):
+        end = min(begin + _TOGETHER, count)
+        yield kept(number, partial(kinds.table, variants, begin, end))
 
 
 def _kinds(
