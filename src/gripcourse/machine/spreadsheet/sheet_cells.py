@@ -35,6 +35,7 @@ _PLACED: Final = {"superscript": _ABOVE, "subscript": _BELOW}
 CROSSED_OUT: Final = "\N{COMBINING LONG STROKE OVERLAY}"
 _LONGEST_CROSSED: Final = 500
 _CROSSED: Final = re.compile(f".{CROSSED_OUT}", re.DOTALL)
+_FOR_SOME: Final = "AlternateContent"
 EMPTY: Final = StoredCell("n", None, 0, "")
 
 
@@ -98,13 +99,17 @@ def one_for_all(holder: Element) -> Element:
     Raises:
         ValueError: some are for older programs, others for newer ones.
     """
-    if any(local(one) == "AlternateContent" for one in holder):
-        raise ValueError(holder.tag)
+    for one in holder:
+        # Of every cell of every work: the ending is looked at first.
+        if one.tag.endswith(_FOR_SOME) and local(one) == _FOR_SOME:
+            raise ValueError(holder.tag)
     return holder
 
 
 def _of_one_value(cell: Element) -> Element:
     """Return a cell that holds one value at most, which is nothing but text."""
+    if not len(cell):  # an element is false without children, and says so no longer
+        return cell
     values = [one for one in one_for_all(cell) if local(one) in {"v", "is"}]
     names = {one.tag for one in values}
     if len(names) < len(values) or any(len(one) for one in values if local(one) == "v"):
