@@ -33,6 +33,7 @@ from time import perf_counter, sleep
 from xml.sax.saxutils import escape
 
 import psutil
+from apart import machine_ratio
 from cluster import cluster, spent
 
 from gripcourse.cli.demo.students import correct
@@ -121,20 +122,9 @@ def locally(base: Path, more: Sequence[str]) -> None:
         for count in (1, WORKERS)
     )
     print(f"  {'ratio':<24} {one.seconds / two.seconds:7.2f}", flush=True)
-    print(f"  {'of programs apart':<24} {machine_ratio():7.2f}", flush=True)
+    print(f"  {'of programs apart':<24} {machine_ratio(base):7.2f}", flush=True)
     again = told("again, nothing changed", base, f"graded{WORKERS}", WORKERS, more, afresh=False)
     print(f"  {'share of the first time':<24} {again.seconds / two.seconds:7.3f}", flush=True)
-
-
-def machine_ratio() -> float:
-    """Return how many times as fast as one are two programs that compute and share nothing."""
-    command = [sys.executable, "-c", "x = 0.0\nfor i in range(20_000_000): x += i * 1.1"]
-    start = perf_counter()
-    subprocess.run(command, check=True)  # noqa: S603 (ours)
-    alone = perf_counter() - start
-    for program in [subprocess.Popen(command) for _ in range(2)]:  # noqa: S603 (ours)
-        program.wait()
-    return 2 * alone / (perf_counter() - start - alone)
 
 
 def on_a_cluster(base: Path) -> None:
