@@ -89,6 +89,8 @@ def _repeated(
     if not first or comparison is None or not is_unexplained(case, judged):
         return []
     alike = _alike(case, judged)
+    if alike is None:
+        return []
     slips = {slip for slip, of in first if of == alike}
     if not slips:
         return []
