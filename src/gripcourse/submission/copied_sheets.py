@@ -4,7 +4,7 @@ from collections.abc import Iterable, Sequence
 from typing import Final
 
 from gripcourse.submission.raw import RawCell
-from gripcourse.text.shown import one_line
+from gripcourse.text.shown import first_of, one_line
 from gripcourse.text.words import Message, message
 
 _NAMED: Final = 3
@@ -43,5 +43,4 @@ def about_copies(found: Iterable[Sequence[RawCell]]) -> tuple[Message, ...]:
 
 def _titles(found: Iterable[Sequence[RawCell]]) -> str:
     titles = sorted({one.cell.rpartition("!")[0] for cells in found for one in cells})
-    shown = [one_line(one)[:_LONGEST] for one in titles[:_NAMED]]
-    return ", ".join(shown) + (", …" if len(titles) > _NAMED else "")
+    return first_of([one_line(one)[:_LONGEST] for one in titles], _NAMED)

@@ -5,7 +5,7 @@ from typing import Final
 
 from gripcourse.machine.spreadsheet.sheet_cells import StoredCell
 from gripcourse.submission.looks import Looks
-from gripcourse.text.shown import shown
+from gripcourse.text.shown import first_of, shown
 from gripcourse.text.words import Message, message
 
 _NAMED: Final = 5
@@ -16,12 +16,11 @@ def about_damage(parts: Collection[str]) -> tuple[Message, ...]:
     """Say which parts of a workbook are damaged that no answer, name or identity stands in."""
     if not parts:
         return ()
-    names = [shown(one)[:_LONGEST] for one in sorted(parts)[:_NAMED]]
     return (
         message(
             "Parts of the workbook are damaged; the answers do not stand in them and were read:"
             " {parts}. Open the workbook in a spreadsheet program, look at it and save it again.",
-            parts=", ".join(names) + (", …" if len(parts) > _NAMED else ""),
+            parts=first_of([shown(one)[:_LONGEST] for one in sorted(parts)], _NAMED),
         ),
     )
 

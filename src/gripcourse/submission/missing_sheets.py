@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from typing import Final
 
-from gripcourse.text.shown import one_line
+from gripcourse.text.shown import first_of, one_line
 from gripcourse.text.words import Message, message
 
 _NAMED: Final = 3
@@ -19,13 +19,12 @@ def about_missing_sheets(looked_for_on: Sequence[str]) -> tuple[Message, ...]:
     titles = set(looked_for_on)
     if not titles:
         return ()
-    shown = [one_line(one)[:_LONGEST] for one in sorted(titles)[:_NAMED]]
     return (
         message(
             "Answers are looked for on a sheet that the workbook does not have: '{sheets}'. They"
             " count as blank (in all: {count}). Fill in the workbook that you were handed, or give"
             " the sheet its title back.",
-            sheets=", ".join(shown) + (", …" if len(titles) > _NAMED else ""),
+            sheets=first_of([one_line(one)[:_LONGEST] for one in sorted(titles)], _NAMED),
             count=len(looked_for_on),
         ),
     )

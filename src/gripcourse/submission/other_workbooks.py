@@ -5,6 +5,7 @@ from collections.abc import Iterable
 from typing import Final
 
 from gripcourse.submission.raw import RawCell
+from gripcourse.text.shown import first_of
 from gripcourse.text.words import Message, message
 
 # As files store them: `[1]Sheet!A1`, `'[1]Own sheet'!A1`, `[1]!name`. A column of a table has its
@@ -23,6 +24,6 @@ def about_other_workbooks(answers: Iterable[RawCell]) -> tuple[Message, ...]:
         message(
             "Answers are taken by formulas from another workbook, which was not handed in: {cells}."
             " What they last showed counts; write the numbers themselves.",
-            cells=", ".join(outside[:_NAMED]) + (", …" if len(outside) > _NAMED else ""),
+            cells=first_of(outside, _NAMED),
         ),
     )

@@ -3,11 +3,12 @@
 from collections.abc import Mapping
 from typing import Final
 
+from gripcourse.course.columns_read import columns_of_formula
 from gripcourse.course.compose import used_names
 from gripcourse.course.quantity import Kind, Quantity, Rounding
 from gripcourse.documents.reference.occurrence import Content, Occurrence
 from gripcourse.formula.boxes import Box, Row, Text
-from gripcourse.formula.tree import Call, Formula, walk
+from gripcourse.formula.tree import Formula
 from gripcourse.formula.typeset import declared_symbol, equation, typeset
 
 Symbols = Mapping[str, Box]
@@ -22,7 +23,7 @@ def symbols_for(one: Occurrence, content: Content, language: str) -> Symbols:
         for name in used_names([one.quantity])
     }
     for formula in one.quantity.formulas():
-        found |= {column: column_box(column) for column in columns_in(formula)}
+        found |= {column: column_box(column) for column in columns_of_formula(formula)}
     return found
 
 
@@ -61,9 +62,3 @@ def statement(quantity: Quantity, formula: Formula, symbols: Symbols, language: 
     if quantity.choice is not None:
         return Row((own, Text("relation", _ROUNDED[quantity.choice.rounding]), said))
     return equation((own, said))
-
-
-def columns_in(formula: Formula) -> tuple[str, ...]:
-    """Return the `catalogue.column` names that a formula reads, each once."""
-    calls = (node.column for node in walk(formula.tree) if isinstance(node, Call))
-    return tuple(dict.fromkeys(column for column in calls if column is not None))

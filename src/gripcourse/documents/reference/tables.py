@@ -4,11 +4,11 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Final
 
+from gripcourse.course.columns_read import columns_of_formula
 from gripcourse.course.model import Catalogue
 from gripcourse.course.quantity import Quantity
 from gripcourse.documents.reference.entry import link_to
 from gripcourse.documents.reference.model import Link
-from gripcourse.documents.reference.notation import columns_in
 from gripcourse.documents.reference.occurrence import Content
 from gripcourse.text.units import factor, unit_text
 from gripcourse.text.words import Words
@@ -49,7 +49,7 @@ def tables_of(content: Content, words: Words) -> tuple[ReferenceTable, ...]:
 
 
 def _catalogues(quantity: Quantity) -> Iterator[str]:
-    columns = [column for formula in quantity.formulas() for column in columns_in(formula)]
+    columns = [column for formula in quantity.formulas() for column in columns_of_formula(formula)]
     if quantity.choice is not None:
         columns += [quantity.choice.column, *quantity.choice.also]
     if quantity.read_from:

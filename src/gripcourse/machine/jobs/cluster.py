@@ -30,6 +30,7 @@ from gripcourse.machine.jobs.gang import (
 from gripcourse.machine.jobs.limits import Limits
 from gripcourse.machine.jobs.pools import PROCESSES, Initializer, Pool
 from gripcourse.machine.jobs.program import differences, program_here
+from gripcourse.text.shown import first_of
 from gripcourse.text.words import message
 
 _LOGGERS: Final = ("distributed", "distributed.client", "distributed.core", "distributed.comm")
@@ -299,7 +300,7 @@ def _stranger(worker: str, found: Mapping[str, tuple[str, str]]) -> Problem:
     said = [f"{name} {theirs or '—'} ≠ {ours or '—'}" for name, (ours, theirs) in found.items()]
     what = message(
         "This worker of the cluster has another program than this computer: {differences}.",
-        differences=", ".join(said[:_MOST_SAID]) + (", …" if len(said) > _MOST_SAID else ""),
+        differences=first_of(said, _MOST_SAID),
     )
     remedy = message("Install the same versions there, and start the worker again.")
     return Problem("", worker, what, remedy, parameter="cluster")
