@@ -40,8 +40,13 @@ from gripcourse.text.words import Words, message
 from gripcourse.usecases.marks.batch_wish import BatchWish
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from gripcourse.batch.graded import Graded
+    from gripcourse.batch.one_file import GradingContext
     from gripcourse.usecases.grading.as_before import Beginning, SaidAtEnd
     from gripcourse.usecases.grading.grade import GradingOutcome
+    from gripcourse.usecases.grading.unchanged import Earlier
 
 # Every command imports what it needs itself: numpy, pandas and WeasyPrint cost up to half a second.
 # ruff: noqa: PLC0415
@@ -159,12 +164,53 @@ class _Manner:
     words: Words
 
 
+@dataclass(frozen=True, slots=True)
+class _Graded:
+    """A batch that was graded and written.
+
+    Attributes:
+        graded: what each file came to.
+        context: what it was graded with.
+        outcome: what was written.
+        earlier: what an earlier run left; None where nobody can tell what results are made from.
+        hands: how many processes graded it.
+        now: when.
+    """
+
+    graded: "Sequence[Graded]"
+    context: "GradingContext"
+    outcome: "GradingOutcome"
+    earlier: "Earlier | None"
+    hands: int
+    now: datetime
+
+
 def _grade_anew(begun: "Beginning", order: _Order, manner: _Manner) -> bool:
     """Grade what an earlier run did not, and say all; tell whether something needs a person."""
+    from gripcourse.usecases.grading import grade as command
+    from gripcourse.usecases.grading.batch_tables import batch_result
+
+    done, asked, words = _written(begun, order, manner), begun.asked, manner.words
+    outcome, context = done.outcome, done.context
+    if manner.json:
+        result = batch_result(outcome.reports, words, context, asked.found.passed_over)
+        typer.echo(cli_text.json_text(result.to_dict()))
+        return outcome.needs_person
+    # Once: to lay out the table of a large batch takes seconds.
+    text = grading_text.batch_text(outcome, asked.out, words)
+    _say(_said(text, outcome, context.course.id, asked.out, words))
+    if done.earlier is not None and command.is_settled(done.graded, context, asked.out, done.hands):
+        next_time = command.taken_over_next_time(outcome)
+        again = _said(text, next_time, context.course.id, asked.out, words)
+        begun.keep(again, (one.report.digest for one in done.graded), done.now)
+    return outcome.needs_person
+
+
+def _written(begun: "Beginning", order: _Order, manner: _Manner) -> _Graded:
+    """Grade a batch, keep it and write its results."""
     from gripcourse.machine.files import make_private_folder
     from gripcourse.machine.jobs.cluster import open_workers
     from gripcourse.usecases.grading import grade as command
-    from gripcourse.usecases.grading.batch_tables import batch_result
     from gripcourse.usecases.grading.note_batch import note_batch
     from gripcourse.usecases.grading.progress import progress_noted
     from gripcourse.usecases.grading.student_reports import student_pdf
@@ -206,18 +252,7 @@ def _grade_anew(begun: "Beginning", order: _Order, manner: _Manner) -> bool:
             earlier=earlier,
             pool=pool,
         )
-    if manner.json:
-        result = batch_result(outcome.reports, words, context, asked.found.passed_over)
-        typer.echo(cli_text.json_text(result.to_dict()))
-        return outcome.needs_person
-    # Once: to lay out the table of a large batch takes seconds.
-    text = grading_text.batch_text(outcome, out, words)
-    said = _said(text, outcome, context.course.id, out, words)
-    _say(said)
-    if earlier is not None and command.is_settled(graded, context, out, hands):
-        again = _said(text, command.taken_over_next_time(outcome), context.course.id, out, words)
-        begun.keep(again, (one.report.digest for one in graded), now)
-    return outcome.needs_person
+    return _Graded(graded, context, outcome, earlier, hands, now)
 
 
 def _said(
