@@ -27,7 +27,7 @@ from typing import Any
 import psutil
 from distributed import Client
 
-from gripcourse.batch.one_file import GradingContext
+from gripcourse.batch.context import GradingContext
 from gripcourse.batch.run import compared, grade_files
 from gripcourse.course.load import load_course
 from gripcourse.issuing.register_file import read_register_file

@@ -10,7 +10,8 @@ from time import process_time
 
 from openpyxl import load_workbook
 
-from gripcourse.batch.one_file import GradingContext, grade_file, methods_of
+from gripcourse.batch.context import GradingContext
+from gripcourse.batch.one_file import grade_file, methods_of
 from gripcourse.cli.demo.students import correct
 from gripcourse.course.load import load_course
 from gripcourse.course.quantity import Kind

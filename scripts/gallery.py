@@ -15,7 +15,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from pathlib import Path
 
-from gripcourse.batch.one_file import GradingContext
+from gripcourse.batch.context import GradingContext
 from gripcourse.cli.demo.run import DEADLINE, GRADED_ON, ISSUED_ON
 from gripcourse.course.load import load_course
 from gripcourse.course.model import Course

@@ -9,7 +9,7 @@ from types import ModuleType
 
 import pytest
 
-from gripcourse.batch.one_file import GradingContext
+from gripcourse.batch.context import GradingContext
 from gripcourse.course.model import Course
 from gripcourse.policy.model import Policy
 from gripcourse.solver.plan import Plan

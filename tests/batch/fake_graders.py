@@ -5,7 +5,7 @@ import time
 from dataclasses import replace
 from pathlib import Path
 
-from gripcourse.batch.one_file import GradingContext
+from gripcourse.batch.context import GradingContext
 from gripcourse.grading.identify import identify
 from gripcourse.grading.model import Report
 from gripcourse.grading.unjudged import rejected_report

@@ -5,8 +5,8 @@ from dataclasses import replace
 import pytest
 
 from gripcourse.batch import copies as alike
+from gripcourse.batch.context import GradingContext
 from gripcourse.batch.copies import like_others
-from gripcourse.batch.one_file import GradingContext
 from gripcourse.documents.report.student import student_values
 from gripcourse.exports.grades import grades_text
 from gripcourse.grading.judge import judge

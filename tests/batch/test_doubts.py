@@ -4,8 +4,8 @@ from dataclasses import replace
 
 import pytest
 
+from gripcourse.batch.context import GradingContext
 from gripcourse.batch.doubts import in_doubt
-from gripcourse.batch.one_file import GradingContext
 from gripcourse.grading.model import Flag, FlagCode, KnownBy, Report
 from gripcourse.grading.unjudged import unjudged
 from gripcourse.text.words import message

@@ -4,8 +4,8 @@ from dataclasses import replace
 
 import pytest
 
+from gripcourse.batch.context import GradingContext
 from gripcourse.batch.duplicates import doubles
-from gripcourse.batch.one_file import GradingContext
 from gripcourse.grading.model import Flag, FlagCode, Report
 from gripcourse.grading.unjudged import rejected_report
 from gripcourse.submission.model import Rejected

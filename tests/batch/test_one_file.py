@@ -7,7 +7,8 @@ from pathlib import Path
 
 import pytest
 
-from gripcourse.batch.one_file import GradingContext, grade_file, judge_read
+from gripcourse.batch.context import GradingContext
+from gripcourse.batch.one_file import grade_file, judge_read
 from gripcourse.grading.model import KnownBy, Outcome
 from gripcourse.solver.plan import Plan, make_plan
 from gripcourse.submission.model import Identity

@@ -6,8 +6,8 @@ from types import ModuleType
 
 import pytest
 
+from gripcourse.batch.context import GradingContext
 from gripcourse.batch.graded import Graded
-from gripcourse.batch.one_file import GradingContext
 from gripcourse.batch.run import grade_files
 
 Inbox = Callable[..., list[Path]]

@@ -10,8 +10,8 @@ from pathlib import Path
 import pytest
 from openpyxl import load_workbook
 
+from gripcourse.batch.context import GradingContext
 from gripcourse.batch.kept_reports import KeptReports
-from gripcourse.batch.one_file import GradingContext
 from gripcourse.batch.run import grade_files, is_found_out
 from gripcourse.batch.second_look import MadeByOffice, made_by_office, needs_second_look
 from gripcourse.course.quantity import Kind

@@ -11,9 +11,10 @@ from typing import Final
 
 import pytest
 
+from gripcourse.batch.context import GradingContext
 from gripcourse.batch.graded import Graded
 from gripcourse.batch.kept_reports import KeptReports
-from gripcourse.batch.one_file import GradingContext, judge_read
+from gripcourse.batch.one_file import judge_read
 from gripcourse.batch.run import grade_files
 from gripcourse.course.load import load_course
 from gripcourse.gradebook.journal import Signed

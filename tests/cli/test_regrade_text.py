@@ -7,8 +7,9 @@ from typing import TYPE_CHECKING
 
 import pytest
 
+from gripcourse.batch.context import GradingContext
 from gripcourse.batch.graded import Graded
-from gripcourse.batch.one_file import GradingContext, grade_file
+from gripcourse.batch.one_file import grade_file
 from gripcourse.cli.demo.students import correct
 from gripcourse.cli.regrade_text import regrade_text
 from gripcourse.text.words import Words

@@ -8,7 +8,7 @@ from typing import TypeAlias
 
 import pytest
 
-from gripcourse.batch.one_file import GradingContext
+from gripcourse.batch.context import GradingContext
 from gripcourse.cli.demo.students import Behaviour
 from gripcourse.course.load import load_course
 from gripcourse.course.model import Course

@@ -11,8 +11,9 @@ import pytest
 from starlette.testclient import TestClient
 
 from gripcourse.access.desk.store import open_desk
+from gripcourse.batch.context import GradingContext
 from gripcourse.batch.graded import Graded
-from gripcourse.batch.one_file import GradingContext, grade_file
+from gripcourse.batch.one_file import grade_file
 from gripcourse.exports.grades import grades_text
 from gripcourse.machine.content import NamedBytes
 from gripcourse.machine.database.home import home_of

@@ -12,8 +12,8 @@ from gripcourse.api.refusals import refusals_said
 from gripcourse.api.sources import FileLike, place_of, workbooks
 
 if TYPE_CHECKING:
+    from gripcourse.batch.context import GradingContext
     from gripcourse.batch.kept_reports import KeptReports
-    from gripcourse.batch.one_file import GradingContext
     from gripcourse.gradebook.journal import Published, Regrade
     from gripcourse.gradebook.model import Attempt
     from gripcourse.gradebook.timing import Waiver

@@ -6,10 +6,10 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 
+from gripcourse.batch.context import GradingContext
 from gripcourse.batch.duplicates import with_flags
 from gripcourse.batch.graded import Changes, changed_where
 from gripcourse.batch.kept_reports import FlagsOf, KeptReports
-from gripcourse.batch.one_file import GradingContext
 from gripcourse.grading.made_for import versions_of
 from gripcourse.grading.model import Report
 from gripcourse.likeness.evidence import find_evidence

@@ -1,15 +1,14 @@
 """Grading one file, whatever it is: reading, identifying, judging."""
 
-from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 from functools import cache, lru_cache
 from typing import Final
 
+from gripcourse.batch.context import GradingContext, handed_in_by
 from gripcourse.course.composition import Composition
-from gripcourse.course.model import Course
 from gripcourse.grading.diagnose import CandidatesOf
 from gripcourse.grading.flags import not_judged_flags
-from gripcourse.grading.identify import HandedIn, identify, named_by_person
+from gripcourse.grading.identify import HandedIn
 from gripcourse.grading.judge import judge
 from gripcourse.grading.made_for import (
     is_of_other_declarations,
@@ -18,7 +17,6 @@ from gripcourse.grading.made_for import (
     versions_of,
 )
 from gripcourse.grading.model import FlagCode, Report
-from gripcourse.grading.path_pattern import PathPattern
 from gripcourse.grading.recalculated import results_flags
 from gripcourse.grading.unjudged import (
     disputed_report,
@@ -29,12 +27,11 @@ from gripcourse.grading.unjudged import (
 )
 from gripcourse.machine.archive import UnreadableMemberError
 from gripcourse.machine.content import Readable, shown_name
-from gripcourse.policy.model import Policy
 from gripcourse.slips.candidates import candidates_of
 from gripcourse.slips.model import Candidate
 from gripcourse.solver.plan import Plan, plan_of
 from gripcourse.submission.interpret import interpret
-from gripcourse.submission.model import Identity, Rejected, WhyRefused
+from gripcourse.submission.model import Rejected, WhyRefused
 from gripcourse.submission.raw import RawWorkbook
 from gripcourse.submission.read import read_workbook
 from gripcourse.submission.second import lacks_results, read_again, stores_results, stores_zeros
@@ -42,39 +39,6 @@ from gripcourse.variants.model import Issued, Variant
 
 # Compositions of a scheme and options that are remembered: about a megabyte each.
 _COMPOSITIONS: Final = 64
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class GradingContext:
-    """What grading needs: the course, its policy and the register by student.
-
-    Two desks are never the same one, so that what was made for one can be remembered by it.
-
-    Attributes:
-        course, policy: what is graded by.
-        register: entries by student id, of each student the last version.
-        whose: by file, the id of the student who handed it in, where a person says so.
-        office: the command that starts LibreOffice, for files that need it; None for none.
-        recalculate: whether it computes all formulas once more, to be compared with what is stored.
-        pattern: how paths say whose a file is; None where only platforms' own ways count.
-        earlier: what students were issued before that, by student id, oldest first.
-        either_version: whether works are judged by every version and the best one counts; None
-            where nobody says so now.
-        either_for: digests of the files for which this was said before.
-        declared: by fingerprint, the declarations that versions corrected since were issued with.
-    """
-
-    course: Course
-    policy: Policy
-    register: Mapping[str, Issued]
-    whose: Mapping[str, str] = field(default_factory=dict)
-    office: str | None = None
-    recalculate: bool = False
-    pattern: PathPattern | None = None
-    earlier: Mapping[str, tuple[Issued, ...]] = field(default_factory=dict)
-    either_version: bool | None = None
-    either_for: frozenset[str] = frozenset()
-    declared: Mapping[str, Course] = field(default_factory=dict)
 
 
 def grade_file(source: Readable, context: GradingContext, made: bytes | None = None) -> Report:
@@ -103,14 +67,6 @@ def grade_file(source: Readable, context: GradingContext, made: bytes | None = N
         lacks_results=lacks_results(raw) or (made is None and stores_zeros(raw)),
         unverified=made is None and stores_results(raw),
     )
-
-
-def handed_in_by(file: str, identity: Identity | None, context: GradingContext) -> HandedIn:
-    """Tell whose a file is: a person's word first, then `identify`."""
-    student = context.whose.get(file)
-    if student is not None:
-        return named_by_person(student, identity, context.register, context.earlier)
-    return identify(file, identity, context.register, context.pattern, context.earlier)
 
 
 def _report(raw: RawWorkbook | Rejected, handed_in: HandedIn, context: GradingContext) -> Report:

@@ -7,12 +7,12 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any, TypeAlias
 
+from gripcourse.batch.context import GradingContext, handed_in_by
 from gripcourse.batch.copies import like_others, solve_ahead
 from gripcourse.batch.doubts import in_doubt
 from gripcourse.batch.duplicates import doubles
 from gripcourse.batch.graded import Graded, on_a_shelf, reports_of, with_reports
 from gripcourse.batch.kept_reports import KeptReports
-from gripcourse.batch.one_file import GradingContext, grade_file, handed_in_by
 from gripcourse.batch.second_look import made_by_office, needs_second_look
 from gripcourse.grading.folded import Derivation, folded
 from gripcourse.grading.model import Report
@@ -40,6 +40,13 @@ GradeOne: TypeAlias = Callable[[Readable, GradingContext], Report]
 """Grades one file; it must be found by its name in another process."""
 
 
+def _grade_file(source: Readable, context: GradingContext, made: bytes | None = None) -> Report:
+    """Grade one file as `one_file.grade_file` does: only who judges imports all that judges."""
+    from gripcourse.batch.one_file import grade_file  # noqa: PLC0415 (an eighth of a second)
+
+    return grade_file(source, context, made)
+
+
 @dataclass(frozen=True, slots=True)
 class _Job:
     """What is done with every file; see `grade_files`."""
@@ -55,7 +62,7 @@ def grade_files(  # noqa: PLR0913 (the last ones are what everybody leaves as th
     workers: int,
     on_done: Callable[[Readable], None] = lambda _: None,
     *,
-    grade_one: GradeOne = grade_file,
+    grade_one: GradeOne = _grade_file,
     seconds: float = SECONDS_PER_FILE,
     kept: KeptReports | None = None,
     pool: Pool = PROCESSES,
@@ -241,7 +248,7 @@ def _grade(file: Readable, job: _Job) -> Report:
 
 def _grade_again(pair: tuple[Readable, bytes], context: GradingContext) -> Report:
     file, made = pair
-    return folded(grade_file(file, context, made))
+    return folded(_grade_file(file, context, made))
 
 
 def _graded(

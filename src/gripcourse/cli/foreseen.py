@@ -15,7 +15,7 @@ _DOCUMENTS: Final = (
 )
 
 GRADING: Final = (
-    "gripcourse.batch.run",
+    *("gripcourse.batch.run", "gripcourse.batch.one_file"),
     # What is derived of findings where they are made, and how the register travels.
     *("gripcourse.exports.grades", "gripcourse.exports.report_json"),
     *("gripcourse.gradebook.results", "gripcourse.issuing.shelved"),

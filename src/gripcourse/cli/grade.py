@@ -42,8 +42,8 @@ from gripcourse.usecases.marks.batch_wish import BatchWish
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    from gripcourse.batch.context import GradingContext
     from gripcourse.batch.graded import Graded
-    from gripcourse.batch.one_file import GradingContext
     from gripcourse.usecases.grading.as_before import Beginning, SaidAtEnd
     from gripcourse.usecases.grading.grade import GradingOutcome
     from gripcourse.usecases.grading.unchanged import Earlier

@@ -17,7 +17,7 @@ from gripcourse.text.words import Words, counted, message
 # ruff: noqa: PLC0415
 
 if TYPE_CHECKING:
-    from gripcourse.batch.one_file import GradingContext
+    from gripcourse.batch.context import GradingContext
     from gripcourse.cli.demo.run import Demo
     from gripcourse.gradebook.waiting import Waiting
     from gripcourse.grading.model import Report

@@ -33,7 +33,7 @@ from gripcourse.errors import CourseError
 from gripcourse.text.words import message
 
 if TYPE_CHECKING:
-    from gripcourse.batch.one_file import GradingContext
+    from gripcourse.batch.context import GradingContext
 
 # Every command imports what it needs itself: numpy, pandas and the database cost half a second.
 # ruff: noqa: PLC0415

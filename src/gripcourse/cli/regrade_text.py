@@ -15,7 +15,7 @@ from gripcourse.text.words import Message, Words, counted, message
 # ruff: noqa: PLC0415
 
 if TYPE_CHECKING:
-    from gripcourse.batch.one_file import GradingContext
+    from gripcourse.batch.context import GradingContext
     from gripcourse.gradebook.journal import Published, Regrade
     from gripcourse.gradebook.model import Attempt
     from gripcourse.gradebook.regrade import Shift, WorkChange

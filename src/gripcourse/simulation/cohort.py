@@ -7,7 +7,7 @@ from typing import Final
 
 import numpy as np
 
-from gripcourse.batch.one_file import GradingContext
+from gripcourse.batch.context import GradingContext
 from gripcourse.course.model import Course
 from gripcourse.errors import Problem, TableError, UsageError
 from gripcourse.issuing.signature import KEY_BYTES, sign

@@ -8,7 +8,7 @@ import shutil
 from collections.abc import Callable
 from pathlib import Path
 
-from gripcourse.batch.one_file import GradingContext
+from gripcourse.batch.context import GradingContext
 from gripcourse.batch.run import grade_files
 from gripcourse.course.model import Course
 from gripcourse.issuing.register import Register

@@ -7,7 +7,8 @@ from enum import StrEnum
 
 import numpy as np
 
-from gripcourse.batch.one_file import GradingContext, judge_read
+from gripcourse.batch.context import GradingContext
+from gripcourse.batch.one_file import judge_read
 from gripcourse.course.quantity import Kind, Quantity
 from gripcourse.machine.jobs.pools import pool_for
 from gripcourse.machine.jobs.workers import all_done, in_order, run_each

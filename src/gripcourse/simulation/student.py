@@ -9,7 +9,8 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from gripcourse.batch.one_file import GradingContext, methods_of
+from gripcourse.batch.context import GradingContext
+from gripcourse.batch.one_file import methods_of
 from gripcourse.course.quantity import Kind, Quantity, Rounding
 from gripcourse.policy.slips import SlipKind
 from gripcourse.simulation.arithmetic import Array

@@ -9,7 +9,8 @@ import time
 from collections.abc import Sequence
 from pathlib import Path
 
-from gripcourse.batch.one_file import GradingContext, grade_file
+from gripcourse.batch.context import GradingContext
+from gripcourse.batch.one_file import grade_file
 from gripcourse.grading.model import Report
 from gripcourse.machine.content import Readable
 from gripcourse.machine.jobs.limits import Limits

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 
 import pytest
 
-from gripcourse.batch.one_file import GradingContext
+from gripcourse.batch.context import GradingContext
 from gripcourse.cli.demo.students import blank, correct
 from gripcourse.course.quantity import Kind
 from gripcourse.exports.report_result import GradesResult

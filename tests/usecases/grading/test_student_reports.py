@@ -13,8 +13,8 @@ from typing import TYPE_CHECKING
 import pytest
 from pypdf import PdfReader
 
+from gripcourse.batch.context import GradingContext
 from gripcourse.batch.graded import Graded
-from gripcourse.batch.one_file import GradingContext
 from gripcourse.cli.grading_text import grading_text, problems_text
 from gripcourse.grading.model import Report
 from gripcourse.text.words import Words

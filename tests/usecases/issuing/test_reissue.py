@@ -10,8 +10,9 @@ from pathlib import Path
 import pytest
 from openpyxl import load_workbook
 
+from gripcourse.batch.context import GradingContext
 from gripcourse.batch.graded import Graded
-from gripcourse.batch.one_file import GradingContext, grade_file
+from gripcourse.batch.one_file import grade_file
 from gripcourse.batch.run import compared
 from gripcourse.cli.demo.students import correct
 from gripcourse.documents.assignment_sheet import sheet_values

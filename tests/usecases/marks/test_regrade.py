@@ -8,9 +8,10 @@ from typing import TYPE_CHECKING
 
 import pytest
 
+from gripcourse.batch.context import GradingContext
 from gripcourse.batch.graded import Graded
 from gripcourse.batch.kept_reports import KeptReports
-from gripcourse.batch.one_file import GradingContext, grade_file
+from gripcourse.batch.one_file import grade_file
 from gripcourse.cli.demo.students import correct
 from gripcourse.errors import GradebookError, NextStep, UsageError
 from gripcourse.gradebook.enter import Draft

@@ -12,8 +12,9 @@ from zoneinfo import ZoneInfo
 import pytest
 
 from gripcourse.access.desk.store import open_desk
+from gripcourse.batch.context import GradingContext
 from gripcourse.batch.graded import Graded
-from gripcourse.batch.one_file import GradingContext, grade_file
+from gripcourse.batch.one_file import grade_file
 from gripcourse.cli.demo.students import blank, correct
 from gripcourse.gradebook.timing import Waiver
 from gripcourse.grading.model import Report

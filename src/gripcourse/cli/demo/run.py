@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from datetime import UTC, date, datetime
 from pathlib import Path
 
-from gripcourse.batch.one_file import GradingContext
+from gripcourse.batch.context import GradingContext
 from gripcourse.cli.demo.classroom import sample_roster, sample_table
 from gripcourse.cli.demo.students import COPIED, fill_workbooks
 from gripcourse.course.load import load_course

@@ -5,7 +5,7 @@ from typing import Final
 
 import numpy as np
 
-from gripcourse.batch.one_file import GradingContext
+from gripcourse.batch.context import GradingContext
 from gripcourse.course.quantity import Kind
 from gripcourse.simulation.behaviour import drawn
 from gripcourse.simulation.foreign.kinds import (

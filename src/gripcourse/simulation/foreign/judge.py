@@ -4,8 +4,9 @@ import traceback
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
+from gripcourse.batch.context import GradingContext
 from gripcourse.batch.graded import Graded
-from gripcourse.batch.one_file import GradingContext, judge_read, methods_of
+from gripcourse.batch.one_file import judge_read, methods_of
 from gripcourse.batch.run import compared
 from gripcourse.grading.unjudged import incident_report
 from gripcourse.machine.jobs.pools import pool_for

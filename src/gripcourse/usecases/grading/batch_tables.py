@@ -7,7 +7,7 @@ from functools import partial
 from itertools import chain, repeat
 from pathlib import Path
 
-from gripcourse.batch.one_file import GradingContext
+from gripcourse.batch.context import GradingContext
 from gripcourse.exports.files import Fate, FileAccount, files_lines, graded_account
 from gripcourse.exports.grades import Called, grades_lines
 from gripcourse.exports.make_report_result import file_result, grades_result, missing_result

@@ -5,8 +5,8 @@ from dataclasses import dataclass, field, replace
 from datetime import date
 from pathlib import Path
 
+from gripcourse.batch.context import GradingContext
 from gripcourse.batch.graded import Graded, reports_of, with_reports
-from gripcourse.batch.one_file import GradingContext
 from gripcourse.batch.run import grade_files, incident_number, is_found_out
 from gripcourse.documents.report.totals import is_counting, shares
 from gripcourse.exports.grades import FOUND

@@ -14,8 +14,8 @@ from itertools import chain
 from pathlib import Path
 from typing import Final
 
+from gripcourse.batch.context import GradingContext
 from gripcourse.batch.kept_reports import KeptReports
-from gripcourse.batch.one_file import GradingContext
 from gripcourse.grading.folded import digest_of_report
 from gripcourse.grading.model import Report
 from gripcourse.machine.files import make_private_folder, write_text

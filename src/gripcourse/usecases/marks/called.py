@@ -1,6 +1,6 @@
 """What people call students and quantities that grades know by their ids."""
 
-from gripcourse.batch.one_file import GradingContext
+from gripcourse.batch.context import GradingContext
 from gripcourse.errors import UsageError
 from gripcourse.grading.made_for import versions_of
 from gripcourse.solver.plan import plan_of

@@ -8,8 +8,8 @@ from itertools import chain, islice
 from types import MappingProxyType
 from typing import Final
 
+from gripcourse.batch.context import GradingContext
 from gripcourse.batch.graded import Changes, Graded, reports_of, with_reports
-from gripcourse.batch.one_file import GradingContext
 from gripcourse.gradebook.apply import as_it_stands, with_marks
 from gripcourse.gradebook.deadlines import Deadline, course_deadlines, deadline_by_rule
 from gripcourse.gradebook.fingerprint import fingerprints

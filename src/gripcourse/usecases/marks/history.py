@@ -7,7 +7,7 @@ from itertools import accumulate
 
 from gripcourse.access.desk.model import GradedBatch
 from gripcourse.access.desk.store import batches_by_time
-from gripcourse.batch.one_file import GradingContext
+from gripcourse.batch.context import GradingContext
 from gripcourse.errors import Problem, UsageError
 from gripcourse.gradebook.counted import counted_work
 from gripcourse.gradebook.deadlines import course_deadlines, deadline_by_rule

@@ -6,7 +6,7 @@ from datetime import datetime
 from functools import cache
 from pathlib import Path
 
-from gripcourse.batch.one_file import GradingContext
+from gripcourse.batch.context import GradingContext
 from gripcourse.errors import GradebookError, NextStep, Problem, UsageError
 from gripcourse.exports.marks_table import RowToMark, write_marks_table
 from gripcourse.gradebook.enter import Draft, EntryFault, Standing, mark_of

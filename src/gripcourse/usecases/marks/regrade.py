@@ -4,9 +4,9 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from datetime import datetime
 
+from gripcourse.batch.context import GradingContext
 from gripcourse.batch.graded import Graded
 from gripcourse.batch.kept_reports import KeptReports
-from gripcourse.batch.one_file import GradingContext
 from gripcourse.batch.run import grade_files
 from gripcourse.errors import NextStep, Problem, UsageError
 from gripcourse.gradebook.fingerprint import fingerprints

@@ -1,0 +1,52 @@
+"""What a batch is graded with; who gives works to workers need not know how they are judged."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+from gripcourse.course.model import Course
+from gripcourse.grading.identify import HandedIn, identify, named_by_person
+from gripcourse.grading.path_pattern import PathPattern
+from gripcourse.policy.model import Policy
+from gripcourse.submission.model import Identity
+from gripcourse.variants.model import Issued
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class GradingContext:
+    """What grading needs: the course, its policy and the register by student.
+
+    Two desks are never the same one, so that what was made for one can be remembered by it.
+
+    Attributes:
+        course, policy: what is graded by.
+        register: entries by student id, of each student the last version.
+        whose: by file, the id of the student who handed it in, where a person says so.
+        office: the command that starts LibreOffice, for files that need it; None for none.
+        recalculate: whether it computes all formulas once more, to be compared with what is stored.
+        pattern: how paths say whose a file is; None where only platforms' own ways count.
+        earlier: what students were issued before that, by student id, oldest first.
+        either_version: whether works are judged by every version and the best one counts; None
+            where nobody says so now.
+        either_for: digests of the files for which this was said before.
+        declared: by fingerprint, the declarations that versions corrected since were issued with.
+    """
+
+    course: Course
+    policy: Policy
+    register: Mapping[str, Issued]
+    whose: Mapping[str, str] = field(default_factory=dict)
+    office: str | None = None
+    recalculate: bool = False
+    pattern: PathPattern | None = None
+    earlier: Mapping[str, tuple[Issued, ...]] = field(default_factory=dict)
+    either_version: bool | None = None
+    either_for: frozenset[str] = frozenset()
+    declared: Mapping[str, Course] = field(default_factory=dict)
+
+
+def handed_in_by(file: str, identity: Identity | None, context: GradingContext) -> HandedIn:
+    """Tell whose a file is: a person's word first, then `identify`."""
+    student = context.whose.get(file)
+    if student is not None:
+        return named_by_person(student, identity, context.register, context.earlier)
+    return identify(file, identity, context.register, context.pattern, context.earlier)
