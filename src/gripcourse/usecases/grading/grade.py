@@ -133,7 +133,7 @@ def write_results(  # noqa: PLR0913 (the last is what everybody leaves as it is)
         if alone:
             _discard_unfinished(out)
         plain = reports_of(graded)
-        peers = tuple(shares(filter(is_counting, plain)))
+        peers = () if lay_out is None else tuple(shares(filter(is_counting, plain)))
         printing = Printing(
             context.course, context.policy, graded_on, peers=peers, declared=context.declared
         )
