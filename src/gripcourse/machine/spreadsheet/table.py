@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import Final
 from xml.etree.ElementTree import Element
 
+from gripcourse.machine.process_wide import few_collections
 from gripcourse.machine.spreadsheet.cell_value import (
     CellValue,
     UnreadableContentError,
@@ -13,7 +14,6 @@ from gripcourse.machine.spreadsheet.cell_value import (
     formats_of,
     shown_value,
 )
-from gripcourse.machine.process_wide import few_collections
 from gripcourse.machine.spreadsheet.package import Package
 from gripcourse.machine.spreadsheet.preflight import TABLE, read_checked
 from gripcourse.machine.spreadsheet.refusals import WhyRefused
