@@ -291,6 +291,21 @@ def a_hundred_thousand_attributes() -> bytes:
     return holding(f'<c r="E5" {many}><v>5</v></c>')
 
 
+def seven_hundred_thousand_attributes() -> bytes:
+    many = " ".join(f'a{number:x}=""' for number in range(700_000))
+    return holding(f'<c r="E5" {many}><v>5</v></c>')
+
+
+def two_hundred_thousand_elements_each_of_which_is_called_otherwise() -> bytes:
+    return after_cells("".join(f'<x{one:x} a{one:x}="{one:x}"/>' for one in range(199_000)))
+
+
+def a_hundred_thousand_attributes_in_two_byte_letters() -> bytes:
+    many = " ".join(f'a{number:x}=""' for number in range(100_000))
+    text = f'<?xml version="1.0" encoding="UTF-16"?><worksheet {many}/>'
+    return patched(SHEET, lambda _: text.encode("utf-16"))
+
+
 def a_hundred_thousand_namespaces() -> bytes:
     many = " ".join(f'xmlns:a{number}="u{number}"' for number in range(100_000))
     return holding(f'<c r="E5" {many}><v>5</v></c>')

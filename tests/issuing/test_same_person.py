@@ -97,3 +97,19 @@ def test_a_group_is_written_as_the_register_writes_it_but_for_who_is_known_by_id
     ]
     students, _, _ = with_ids(listed, known)
     assert [one.group for one in students] == ["АВ-31", "АВ-31", "АВ31"]
+
+
+def test_of_a_list_of_thousands_each_is_looked_up_not_compared_with_all() -> None:
+    # Comparing each with each would be a hundred million comparisons, half an hour.
+    listed = [person(f"Дем’янчук Олег{one}", f"АВ-{one // 25}") for one in range(10_000)]
+    known = [person(one.name, one.group, str(at)) for at, one in enumerate(listed)]
+    students, _, problems = with_ids(listed, known)
+    assert not problems
+    assert [one.id for one in students] == [one.id for one in known]
+
+
+def test_namesakes_in_their_thousands_get_an_id_each() -> None:
+    students, _, _ = with_ids([person(OLEH, f"АВ-{one}") for one in range(5_000)], [])
+    assert len({one.id for one in students}) == 5_000
+    first = "дем-янчук-олег-петрович"
+    assert [one.id for one in students[:2]] == [first, f"{first}-2"]

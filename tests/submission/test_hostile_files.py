@@ -15,6 +15,7 @@ from openpyxl import Workbook
 
 from gripcourse.machine.spreadsheet import preflight
 from gripcourse.machine.spreadsheet.refusals import REASONS, WhyRefused
+from gripcourse.machine.spreadsheet.xml_names import LONG, MOST_NAMES
 from gripcourse.submission.model import Rejected
 from gripcourse.submission.raw import RawWorkbook
 from gripcourse.submission.read import read_workbook
@@ -184,6 +185,33 @@ def test_deeply_nested_elements_are_refused(returned: "Returned") -> None:
     nested = b"<x>" * 50_000 + b"</x>" * 50_000
     path = returned.patched({SECTION: before_end(nested)})
     assert "no spreadsheet program writes" in reason(path)
+
+
+@pytest.mark.parametrize(
+    "addition",
+    [
+        "<x " + " ".join(f'a{one}=""' for one in range(MOST_NAMES + 1)) + "/>",
+        "".join(f"<x{one}/>" for one in range(MOST_NAMES + 1)),
+    ],
+    ids=["of attributes", "of elements"],
+)
+def test_more_names_than_programs_write_are_refused_before_a_parser_keeps_them(
+    returned: "Returned", addition: str
+) -> None:
+    # Seven hundred thousand take 260 megabytes.
+    long = addition + " " * LONG
+    assert "no spreadsheet program writes" in reason(
+        returned.patched({SECTION: before_end(long.encode())})
+    )
+
+
+def test_a_long_text_full_of_words_and_equals_signs_is_no_list_of_names(
+    returned: "Returned",
+) -> None:
+    words = " ".join(f"a{one}:=b{one}" for one in range(100_000))
+    text = f'<dataValidations><dataValidation prompt="{words}"/></dataValidations>'.encode()
+    assert len(text) > LONG
+    assert returned.read(returned.patched({SECTION: before_end(text)})).identity.student == "s001"
 
 
 @pytest.mark.parametrize(

@@ -12,6 +12,7 @@ from gripcourse.errors import TableError
 from gripcourse.variants.sheet import read_sheet
 
 SHEET = "xl/worksheets/sheet1.xml"
+FAR = range(3, 3_004)  # rows of two thousand cells, if each is as wide as its last
 
 
 @pytest.fixture(scope="module")
@@ -80,3 +81,32 @@ def test_a_far_row_costs_nothing(table: bytes, tmp_path: Path, addition: bytes) 
     path = tmp_path / "t.xlsx"
     path.write_bytes(patched(table, SHEET, inside(addition)))
     assert read_sheet(path).rows[0].cells == ("s01", "Анна")
+
+
+@pytest.mark.parametrize(
+    "rows",
+    [
+        b'<row r="3"><c r="BXY3"><v>1</v></c></row>',
+        b"".join(b'<row r="%d"><c r="BXX%d"><v>1</v></c></row>' % (row, row) for row in FAR),
+    ],
+    ids=["a column too far", "cells too far to the right in many rows"],
+)
+def test_far_cells_are_told_by_how_large_a_table_may_be(
+    table: bytes, tmp_path: Path, rows: bytes
+) -> None:
+    path = tmp_path / "t.xlsx"
+    path.write_bytes(patched(table, SHEET, inside(rows)))
+    with pytest.raises(TableError, match="at most 200000 rows, 2000 columns and 6000000 cells"):
+        read_sheet(path)
+
+
+def test_letters_of_an_office_behind_a_long_beginning_without_any_are_read(tmp_path: Path) -> None:
+    path = tmp_path / "t.csv"
+    path.write_bytes(b"student;name\n" + b"s01;Ann\n" * 50_000 + "s02;Иванов\n".encode("cp1251"))
+    assert read_sheet(path).rows[-1].cells == ("s02", "Иванов")
+
+
+def test_many_blank_rows_that_were_given_a_look_are_no_rows(tmp_path: Path) -> None:
+    path = tmp_path / "t.csv"
+    path.write_bytes(b"student;name\ns01;Ann\n" + b";\n" * 250_000)
+    assert [row.cells for row in read_sheet(path).rows] == [("s01", "Ann")]

@@ -11,6 +11,7 @@ from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import replace
 from typing import TypeAlias
 
+from gripcourse.issuing.known_people import KnownPeople
 from gripcourse.issuing.same_person import (
     has_cut_id,
     has_other_address,
@@ -47,18 +48,21 @@ def with_ids(
         place in the list those whom nothing tells apart from another one, or of whom only a person
         can say whether the register knows them.
     """
-    found = [_known_id(one, known, students) for one in students]
+    register, listed = KnownPeople.of(known), KnownPeople.of(students)
+    found = [_known_id(one, register, listed) for one in students]
+    kept_ids = {*found}
     again = [
-        _as_before(one, known, {*found}) if not id_ else "" for one, id_ in _pairs(students, found)
+        "" if id_ else _as_before(one, register, kept_ids) for one, id_ in _pairs(students, found)
     ]
     ids = [one or other for one, other in zip(found, again, strict=True)]
     problems = _doubles(students, [place for place, one in enumerate(students) if not one.id])
     problems += _doubtful(students, ids, known)
     taken = {one.id.casefold() for one in (*students, *known) if one.id}
     made: list[str] = []
+    numbers: dict[str, int] = {}
     for place, student in enumerate(students):
         if not (ids[place] or student.id):
-            ids[place] = _free(_wanted(student.name, student.email), taken)
+            ids[place] = _free(_wanted(student.name, student.email), taken, numbers)
             taken.add(ids[place].casefold())
             made.append(ids[place])
     groups = {letters_of(one.group): one.group for one in known if letters_of(one.group)}
@@ -79,26 +83,24 @@ def _pairs(students: Sequence[Student], ids: Sequence[str]) -> list[tuple[Studen
     return list(zip(students, ids, strict=True))
 
 
-def _known_id(student: Student, known: Iterable[Student], listed: Iterable[Student]) -> str:
+def _known_id(student: Student, known: KnownPeople, listed: KnownPeople) -> str:
     """Return the id of the one known student who this is; empty for nobody, or several.
 
     Who was listed without a group may have got one since, where the list has no namesake.
     """
     if student.id:
-        return student.id if any(one.id == student.id for one in known) else ""
-    alone = sum(has_same_name(one, student) for one in listed) == 1
-    same = [one for one in known if has_same_address(one, student)]
-    same = same or [
+        return student.id if student.id in known.ids else ""
+    alone = len(listed.namesakes(student)) == 1
+    same = known.with_address_of(student) or [
         one
-        for one in known
-        if has_same_name(one, student)
-        and (is_in_same_group(one, student) or (alone and not one.group))
+        for one in known.namesakes(student)
+        if (is_in_same_group(one, student) or (alone and not one.group))
         and not has_other_address(one, student)
     ]
     return same[0].id if len(same) == 1 else ""
 
 
-def _as_before(student: Student, known: Iterable[Student], listed: Collection[str]) -> str:
+def _as_before(student: Student, known: KnownPeople, listed: Collection[str]) -> str:
     """Return the id that somebody had before the list said another; empty for nobody's.
 
     Either its noughts were cut off, or there was none and it was made.
@@ -107,7 +109,7 @@ def _as_before(student: Student, known: Iterable[Student], listed: Collection[st
         return ""
     same = [
         one
-        for one in known
+        for one in known.namesakes_or_with_address_of(student)
         if one.id not in listed
         and (has_cut_id(student, one) or (_is_made(one) and _is_same(student, one)))
     ]
@@ -134,7 +136,8 @@ def _doubtful(
     students: Sequence[Student], ids: Sequence[str], known: Iterable[Student]
 ) -> list[tuple[int, Said]]:
     """Return those new ones who may be known: who changed group, address or the way of writing."""
-    absent = [one for one in known if one.id not in ids]
+    listed = {*ids}
+    absent = [one for one in known if one.id not in listed]
     found: list[tuple[int, Said]] = []
     for place, student in enumerate(students):
         candidates = () if ids[place] else absent
@@ -189,12 +192,14 @@ def _wanted(name: str, email: str) -> str:
     return made[:_LONGEST].strip("-.") or "student"
 
 
-def _free(wanted: str, taken: set[str]) -> str:
-    number = 1
-    id_ = wanted
+def _free(wanted: str, taken: set[str], numbers: dict[str, int]) -> str:
+    """Return an id that nobody has; up to the number of the last one that was wanted all are."""
+    number = numbers.get(wanted, 1)
+    id_ = wanted if number == 1 else f"{wanted}-{number}"
     while id_ in taken:
         number += 1
         id_ = f"{wanted}-{number}"
+    numbers[wanted] = number
     return id_
 
 

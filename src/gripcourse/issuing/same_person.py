@@ -1,5 +1,6 @@
 """Who of the register a person on a list is, or may be: a second variant cannot be taken back."""
 
+from functools import lru_cache
 from typing import Final
 
 from gripcourse.text.spelling import as_seen, may_have_been
@@ -7,6 +8,7 @@ from gripcourse.variants.model import Student
 from gripcourse.variants.names import without_leading_zeros
 
 _FEWEST_WORDS: Final = 2  # of a name: a surname alone is many people's
+_KEPT: Final = 1 << 13  # names: everybody on a list is compared with everybody who is not on it
 
 
 def has_same_name(one: Student, other: Student) -> bool:
@@ -45,8 +47,8 @@ def may_be(student: Student, known: Student, *, is_told_by_id: bool) -> bool:
         is_told_by_id: whether an office gave each an id of their own: in another group that is
             another person.
     """
-    words, others = _words(student), _words(known)
-    is_same = words == others or may_have_been(as_seen(known.name), as_seen(student.name))
+    words, others = _words(student.name), _words(known.name)
+    is_same = words == others or may_have_been(_seen(known.name), _seen(student.name))
     if is_in_same_group(student, known):
         # A platform knows no patronymics, and has the first name first.
         fewer = min(words, others, key=len)
@@ -54,10 +56,17 @@ def may_be(student: Student, known: Student, *, is_told_by_id: bool) -> bool:
     return is_same and not is_told_by_id and not has_other_address(student, known)
 
 
-def _words(student: Student) -> frozenset[str]:
-    return frozenset(as_seen(student.name).replace(",", " ").split())
+@lru_cache(maxsize=_KEPT)
+def _seen(name: str) -> str:
+    return as_seen(name)
 
 
+@lru_cache(maxsize=_KEPT)
+def _words(name: str) -> frozenset[str]:
+    return frozenset(as_seen(name).replace(",", " ").split())
+
+
+@lru_cache(maxsize=_KEPT)
 def letters_of(group: str) -> str:
     """Return the letters and digits of a group, by which it is the same however it is written."""
     return "".join(filter(str.isalnum, as_seen(group)))

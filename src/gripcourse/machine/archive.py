@@ -18,6 +18,7 @@ from pathlib import Path, PurePosixPath, PureWindowsPath
 from typing import Final
 
 from gripcourse.errors import Problem, UsageError
+from gripcourse.machine.listed_archive import ask_archive
 from gripcourse.text.words import message
 
 LARGEST_MEMBER: Final = 64_000_000  # bytes; more than any workbook that is looked at
@@ -120,13 +121,16 @@ def read_member(archive: Path, place: int) -> bytes:
 
 def beginning_of_member(archive: Path, place: int, count: int) -> bytes:
     """Return the first bytes of a member; the rest stays packed. Errors: see `read_member`."""
+
+    def first_bytes(opened: zipfile.ZipFile) -> bytes:
+        info = opened.infolist()[place]
+        if info.compress_type not in _METHODS:
+            raise NotImplementedError(info.compress_type)
+        with opened.open(info) as stream:
+            return stream.read(count)
+
     try:
-        with zipfile.ZipFile(archive) as opened:
-            info = opened.infolist()[place]
-            if info.compress_type not in _METHODS:
-                raise NotImplementedError(info.compress_type)
-            with opened.open(info) as stream:
-                return stream.read(count)
+        return ask_archive(archive, first_bytes)
     except (*_DAMAGE, OSError) as fault:
         if _is_of_the_disk(fault):
             raise

@@ -55,17 +55,17 @@ class RowReader:
         """Return the variants of all rows that are right."""
         rows: list[tuple[SheetRow, Variant]] = []
         seen: dict[str, SheetRow] = {}
-        for row in self.sheet.rows:
-            variant = self._variant(row, seen)
+        for place, row in enumerate(self.sheet.rows, start=1):
+            variant = self._variant(row, place, seen)
             if variant is not None:
                 rows.append((row, variant))
         self.problems.extend(problems_of(self.sheet.file, self.faults))
         self._refuse_infeasible(rows)
         return [variant for _, variant in rows]
 
-    def _variant(self, row: SheetRow, seen: dict[str, SheetRow]) -> Variant | None:
+    def _variant(self, row: SheetRow, place: int, seen: dict[str, SheetRow]) -> Variant | None:
         before = len(self.faults)
-        id_ = self._id(row, seen)
+        id_ = self._id(row, place, seen)
         scheme = self._scheme(row)
         if scheme is None:
             return None
@@ -83,9 +83,9 @@ class RowReader:
             return None
         return Variant(id_, scheme.id, options, given)
 
-    def _id(self, row: SheetRow, seen: dict[str, SheetRow]) -> str:
+    def _id(self, row: SheetRow, place: int, seen: dict[str, SheetRow]) -> str:
         if self.defaults is not None and "variant" not in self.columns:
-            return f"{self.sheet.rows.index(row) + 1:03d}"
+            return f"{place:03d}"
         id_ = self._cell(row, "variant")
         if not id_:
             self._add(row, "variant", message("The variant has no name."), message("Write one."))

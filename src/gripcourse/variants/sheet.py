@@ -13,6 +13,13 @@ from typing import TypeAlias
 from gripcourse.errors import Problem, TableError
 from gripcourse.machine.content import Readable, is_there, pure_path, shown_name
 from gripcourse.machine.spreadsheet.by_content import is_workbook
+from gripcourse.machine.table_bounds import (
+    MOST_CELLS,
+    TooLargeTableError,
+    content_of_table,
+    said_of_too_large,
+    within_bounds,
+)
 from gripcourse.text.words import Message, message
 from gripcourse.variants.decoded import decoded
 from gripcourse.variants.spreadsheet import (
@@ -24,8 +31,7 @@ from gripcourse.variants.spreadsheet import (
 _DELIMITERS = ("\t", ";", ",")
 """In the order in which they are believed: a heading like `mass, kg` may hold a comma."""
 
-# One far cell makes every row as wide; a table of 100 000 rows has some 50 columns.
-_MOST_CELLS = 10_000_000
+_BEGINNING = 1 << 20  # characters in which the first lines are looked for
 _LAST_HEADING = 20  # row: whatever stands above headings is a title, not a page
 _FEWEST_KNOWN = 2  # headings in a row of headings; a title may be called as one by chance
 _WHOLE_SHARE = 0.5  # of a row's cells that are headings, where it is that row and no title
@@ -194,7 +200,11 @@ def _has_headings(rows: Sequence[SheetRow], is_heading: IsHeading) -> bool:
 
 
 def _csv_sheet(source: Readable, is_heading: IsHeading) -> Sheet:
-    text, notes = decoded(source)
+    try:
+        content = content_of_table(source)
+    except TooLargeTableError as fault:
+        raise _failure(source, *said_of_too_large()) from fault
+    text, notes = decoded(source, content)
     found: list[tuple[int, Sheet]] = []
     faults: list[TableError] = []
     for delimiter in _delimiters(text):
@@ -223,7 +233,7 @@ def _sheet(source: Readable, found: list[SheetRow], is_heading: IsHeading) -> Sh
     heading = _heading_row(rows, is_heading)
     above, rows = rows[:heading], rows[heading:]
     width = max(_width(row.cells) for row in rows)
-    if width * len(rows) > _MOST_CELLS:
+    if width * len(rows) > MOST_CELLS:  # one far cell makes every row as wide
         raise _failure(
             source,
             message(
@@ -262,7 +272,8 @@ def _delimiters(text: str) -> tuple[str, ...]:
 
     Judged by the first lines that are not blank, outside quotation marks.
     """
-    lines = [line for line in text.splitlines() if line.strip()][:_LAST_HEADING]
+    beginning = text.lstrip("\r\n")[:_BEGINNING]
+    lines = [line for line in beginning.splitlines() if line.strip()][:_LAST_HEADING]
     plain = ["".join(line.split('"')[::2]) for line in lines]
     first = [sign for sign in _DELIMITERS if plain and sign in plain[0]]
     later = [sign for sign in _DELIMITERS if any(sign in line for line in plain)]
@@ -274,14 +285,26 @@ def _csv_rows(source: Readable, text: str, delimiter: str) -> list[SheetRow]:
     if not text.strip():
         return []
     try:
-        rows = list(csv.reader(io.StringIO(text, newline=""), delimiter=delimiter, strict=True))
+        rows = csv.reader(io.StringIO(text, newline=""), delimiter=delimiter, strict=True)
+        return [
+            SheetRow(number, cells)
+            for number, cells in enumerate(within_bounds(map(_to_the_last, rows)), start=1)
+            if any(cells)
+        ]
+    except TooLargeTableError as fault:
+        raise _failure(source, *said_of_too_large()) from fault
     except csv.Error as fault:
         raise _failure(
             source,
             message("The rows cannot be told apart: {fault}.", fault=fault),
             message("Look for a quotation mark that is opened and never closed."),
         ) from fault
-    return [SheetRow(number, _stripped(row)) for number, row in enumerate(rows, start=1)]
+
+
+def _to_the_last(cells: Sequence[str]) -> tuple[str, ...]:
+    """Return the cells of a row without the blank ones behind its last."""
+    stripped = _stripped(cells)
+    return stripped[: _width(stripped)]
 
 
 def _stripped(cells: Iterable[str]) -> tuple[str, ...]:

@@ -5,12 +5,17 @@ from dataclasses import dataclass
 from datetime import date, time
 from typing import Final
 
-from gripcourse.machine.content import Readable, content_of
+from gripcourse.machine.content import Readable
 from gripcourse.machine.jobs.limits import Limits
 from gripcourse.machine.jobs.lost import Lost
 from gripcourse.machine.jobs.warm import do_apart
 from gripcourse.machine.spreadsheet.refusals import WhyRefused
 from gripcourse.machine.spreadsheet.table import TableSheet, visible_sheets
+from gripcourse.machine.table_bounds import (
+    TooLargeTableError,
+    content_of_table,
+    said_of_too_large,
+)
 from gripcourse.text.words import Message, message
 
 _SECONDS: Final = 60.0  # by the clock
@@ -45,12 +50,13 @@ def read_spreadsheet(source: Readable) -> Sequence[SheetAsText]:
     Raises:
         UnreadableSpreadsheetError: it is none, or holds too much.
     """
-    sheets = do_apart(_sheets, content_of(source), None, limits=_READERS, seconds=_SECONDS)
+    try:
+        content = content_of_table(source)
+    except TooLargeTableError as fault:
+        raise UnreadableSpreadsheetError(*said_of_too_large()) from fault
+    sheets = do_apart(_sheets, content, None, limits=_READERS, seconds=_SECONDS)
     if sheets is WhyRefused.TOO_LARGE or isinstance(sheets, Lost):
-        raise UnreadableSpreadsheetError(
-            message("The spreadsheet holds far more than a table of this kind does."),
-            message("Copy the table into a new spreadsheet, or save it as .csv (CSV UTF-8)."),
-        )
+        raise UnreadableSpreadsheetError(*said_of_too_large())
     if isinstance(sheets, WhyRefused):
         raise UnreadableSpreadsheetError(
             message("The file is damaged, protected by a password, or no spreadsheet."),

@@ -284,3 +284,9 @@ def test_a_report_that_no_number_leads_to_is_said_not_to_be_in_the_zip(
     assert "the worksheet has no number of this row" in str(note)
     _, (note,) = feedback_zip(result, lambda _: None, Words("en"))
     assert "grade again and let reports be written" in str(note)
+
+
+def test_a_worksheet_of_more_rows_than_any_course_has_students_is_told_so() -> None:
+    long = EN + EN.splitlines(keepends=True)[-1] * 200_001
+    with pytest.raises(UsageError, match="at most 200000 rows"):
+        read_worksheet(sheet(long))

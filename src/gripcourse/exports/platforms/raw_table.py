@@ -13,7 +13,14 @@ from typing import Final
 from charset_normalizer import from_bytes
 
 from gripcourse.errors import Problem, UsageError
-from gripcourse.machine.content import Readable, content_of, shown_name
+from gripcourse.machine.content import Readable, shown_name
+from gripcourse.machine.table_bounds import (
+    TooLargeTableError,
+    around,
+    content_of_table,
+    said_of_too_large,
+    within_bounds,
+)
 from gripcourse.text.words import message
 
 _SEPARATORS: Final = (",", ";", "\t", ":")
@@ -22,7 +29,7 @@ _CYRILLIC: Final = "cp1251"
 # Windows, DOS, Unix, and spreadsheet programs on macOS.
 _PAGES: Final = (_CYRILLIC, "cp866", "koi8_u", "mac_cyrillic")
 # A row ends at a line end outside of quotes.
-_RECORD: Final = re.compile(r'(?:[^"\r\n]|"(?:[^"]|"")*(?:"|$))*(?:\r\n|\n|\r|$)')
+_RECORD: Final = re.compile(r'(?:[^"\r\n]++|"(?:[^"]++|"")*+(?:"|$))*+(?:\r\n|\n|\r|$)')
 _LINE_ENDS: Final = "\r\n"
 
 RateHeader = Callable[[Sequence[str]], int]
@@ -78,7 +85,14 @@ def read_raw_table(source: Readable, known: RateHeader) -> RawTable:
         UsageError: it is no table of text, or a row has other cells than the headings.
         OSError: it cannot be read.
     """
-    data, file = content_of(source), shown_name(source)
+    file = shown_name(source)
+    try:
+        return _within_bounds(content_of_table(source), file, known)
+    except TooLargeTableError as fault:
+        raise UsageError([Problem(file, "", *said_of_too_large())]) from fault
+
+
+def _within_bounds(data: bytes, file: str, known: RateHeader) -> RawTable:
     encoding = _encoding(data, known)
     try:
         if encoding is None:
@@ -86,13 +100,14 @@ def read_raw_table(source: Readable, known: RateHeader) -> RawTable:
         text = data.decode(encoding)
     except UnicodeError as fault:
         raise _no_text(file) from fault
-    records = tuple(found[0] for found in _RECORD.finditer(text) if found[0])
+    found = (one[0] for one in _RECORD.finditer(text) if one[0])
+    records = tuple(record for (record,) in within_bounds((one,) for one in found))
     if not records:
         what, remedy = message("The table is empty."), message("Export it again.")
         raise UsageError([Problem(file, "", what, remedy)])
     try:
         separator = max(_SEPARATORS, key=lambda one: known(_cells(records[0], one)))
-        rows = tuple(_cells(record, separator) for record in records)
+        rows = tuple(within_bounds(_cells(record, separator) for record in records))
     except csv.Error as fault:
         what = message("The rows cannot be told apart: {fault}.", fault=fault)
         remedy = message("Look for a quotation mark that is opened and never closed.")
@@ -136,8 +151,8 @@ def _encoding(data: bytes, known: RateHeader) -> str | None:
         return "utf-16" if data.startswith((b"\xff\xfe", b"\xfe\xff")) else None
     try:
         data.decode()
-    except UnicodeDecodeError:
-        return _page_of_headings(data, known) or _likely_page(data)
+    except UnicodeDecodeError as fault:
+        return _page_of_headings(data, known) or _likely_page(around(data, fault.start))
     return "utf-8"
 
 

@@ -15,6 +15,7 @@ from urllib.parse import unquote
 from xml.etree.ElementTree import Element, ParseError, XMLPullParser
 from xml.parsers import expat
 
+from gripcourse.machine.spreadsheet.xml_names import check_names
 from gripcourse.machine.spreadsheet.xml_scan import (
     MOST_ASIDES,
     Bounds,
@@ -181,7 +182,9 @@ class Package:
             if beginning.lstrip(_BEFORE_XML)[:1] not in {b"<", b""}:
                 return b""
             self._scan.unpack(member.file_size)
-            return beginning + stream.read()
+            content = beginning + stream.read()
+        check_names(content)
+        return content
 
     def related(self, part: str) -> tuple[Related, ...]:
         """Return the parts that a part points to; of the archive itself where it is empty."""

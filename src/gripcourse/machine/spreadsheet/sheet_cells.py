@@ -8,6 +8,7 @@ from xml.etree.ElementTree import Element
 
 from gripcourse.machine.spreadsheet.addresses import Place, place_of
 from gripcourse.machine.spreadsheet.xml_scan import local, namespace
+from gripcourse.machine.table_bounds import MOST_ROWS, TooLargeTableError
 
 
 class StoredCell(NamedTuple):
@@ -125,13 +126,22 @@ def all_cells(
     Args:
         elements: of the sheet as they end; its rows are cleared.
         merged: where its merged ranges are recorded.
+
+    Raises:
+        TooLargeTableError: more rows hold something than are ever read.
     """
     found: dict[int, dict[int, StoredCell]] = {}
+    filled = 0
     for number, row in _numbered(_rows_of(elements, merged)):
         space = namespace(row)
+        is_filled = False
         for (_, column), cell in _of_row(row, number, space):
-            found.setdefault(number, {})[column] = _stored(cell, space)
+            stored = found.setdefault(number, {})[column] = _stored(cell, space)
+            is_filled = is_filled or bool(stored.text or stored.formula)
         row.clear()
+        filled += is_filled
+        if filled > MOST_ROWS:
+            raise TooLargeTableError
     return found
 
 

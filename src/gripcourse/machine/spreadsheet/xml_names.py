@@ -1,0 +1,37 @@
+"""How many names the elements and attributes of a part have: a parser keeps each of them.
+
+One element with seven hundred thousand attributes takes 260 megabytes before anybody sees it, and
+so do two hundred thousand elements of which each is called otherwise.
+"""
+
+import re
+from typing import Final
+
+from gripcourse.machine.spreadsheet.refusals import WhyRefused
+from gripcourse.machine.spreadsheet.xml_scan import RefusedError
+
+MOST_NAMES: Final = 10_000  # all formats of office programs together have some thousands
+LONG: Final = 1 << 20  # bytes of a part; the names of a shorter one take 40 megabytes at most
+_PORTION: Final = 1 << 20  # bytes that are looked through at a time; a name that is cut makes two
+# Of elements, and of attributes, which stand behind white space. All encodings that a parser takes
+# spell these signs as ASCII does, but those of two bytes.
+_NAME: Final = re.compile(rb"<[^\s<>/!?]+|\s[^\s<>=/\"']+(?=\s*=\s*[\"'])")
+_TWO_BYTES: Final = (b"\xff\xfe", b"\xfe\xff", b"<\0", b"\0<")
+
+
+def check_names(content: bytes) -> None:
+    """Look through a part before it is parsed.
+
+    Raises:
+        RefusedError: it has more names than programs write, or it is long and spelled in letters of
+            two bytes, which none does.
+    """
+    if len(content) <= LONG:
+        return
+    if content.startswith(_TWO_BYTES):
+        raise RefusedError(WhyRefused.FOREIGN_CONTENT)
+    names: set[bytes] = set()
+    for start in range(0, len(content), _PORTION):
+        names.update(_NAME.findall(content, start, start + _PORTION))
+        if len(names) > MOST_NAMES:
+            raise RefusedError(WhyRefused.FOREIGN_CONTENT)
