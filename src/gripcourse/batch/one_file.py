@@ -62,6 +62,8 @@ class GradingContext:
             where nobody says so now.
         either_for: digests of the files for which this was said before.
         declared: by fingerprint, the declarations that versions corrected since were issued with.
+        joined: by id that was joined with another's, the id of the student; what was issued under
+            it is among the student's earlier versions.
     """
 
     course: Course
@@ -75,6 +77,7 @@ class GradingContext:
     either_version: bool | None = None
     either_for: frozenset[str] = frozenset()
     declared: Mapping[str, Course] = field(default_factory=dict)
+    joined: Mapping[str, str] = field(default_factory=dict)
 
 
 def grade_file(source: Readable, context: GradingContext, made: bytes | None = None) -> Report:
@@ -110,7 +113,8 @@ def handed_in_by(file: str, identity: Identity | None, context: GradingContext) 
     student = context.whose.get(file)
     if student is not None:
         return named_by_person(student, identity, context.register, context.earlier)
-    return identify(file, identity, context.register, context.pattern, context.earlier)
+    known, earlier = context.register, context.earlier
+    return identify(file, identity, known, context.pattern, earlier, context.joined)
 
 
 def _report(raw: RawWorkbook | Rejected, handed_in: HandedIn, context: GradingContext) -> Report:
@@ -136,7 +140,11 @@ def judge_versions(raw: RawWorkbook, made_for: Issued, context: GradingContext) 
     said_before = raw.digest in context.either_for
     if not (said_before if context.either_version is None else context.either_version):
         return replace(report, remarks=(*said, *report.remarks))
-    others = [one for one in reversed(versions) if one.version != made_for.version]
+    # Only a corrected assignment leaves a choice: of two that were handed out, each is its own.
+    own = [one for one in versions if one.issued_as == made_for.issued_as]
+    others = [one for one in reversed(own) if one.version != made_for.version]
+    if not others:
+        return replace(report, remarks=(*said, *report.remarks))
     tried = [(made_for, report), *((one, judge_read(raw, one, context)) for one in others)]
     judged = [(one, found) for one, found in tried if found.judged]
     # Of equal ones the first: that is the version that the workbook was made for.

@@ -31,6 +31,7 @@ from gripcourse.cli import simulation
 from gripcourse.cli import text as cli_text
 from gripcourse.cli import trace as cli_trace
 from gripcourse.cli import variants as cli_variants
+from gripcourse.cli import withdraw as cli_withdraw
 from gripcourse.cli.foreseen import HANDOUTS, foresee
 from gripcourse.cli.help import SpokenCommand, command_group
 from gripcourse.cli.issuing import exit_code, issue_with_progress
@@ -75,6 +76,7 @@ app = command_group(
 for part in (
     cli_grade,
     cli_reissue,
+    cli_withdraw,
     cli_mark,
     cli_regrade,
     cli_trace,
