@@ -169,7 +169,7 @@ def solve(  # noqa: PLR0913 (one parameter per option)
 @app.command(cls=SpokenCommand)
 def issue(  # noqa: PLR0913 (one parameter per option)
     *,
-    roster: Annotated[Path, typer.Option(help="Table of the students, csv or xlsx.")],
+    roster: Annotated[Path, typer.Option(help="Table of the students, csv, xlsx, ods or xls.")],
     out: OutOption,
     table: TableOption = None,
     deadline: Annotated[

@@ -67,7 +67,8 @@ def mark(  # noqa: PLR0913 (one parameter per option)
     ] = False,
     show: Annotated[bool, typer.Option("--list", help="Show what waits for a person.")] = False,
     table: Annotated[
-        Path | None, typer.Option("--table", help="Table of marks, csv or xlsx, instead of one.")
+        Path | None,
+        typer.Option("--table", help="Table of marks, csv, xlsx, ods or xls, instead of one."),
     ] = None,
     out: Annotated[
         Path | None,

@@ -49,7 +49,7 @@ def read_roster(
     languages: Sequence[str] = LANGUAGES,
     joined: Joined = NOBODY,
 ) -> Roster:
-    """Read a roster from a `.csv` or `.xlsx` file.
+    """Read a roster from a `.csv`, `.xlsx`, `.ods` or `.xls` file.
 
     Args:
         source: the file, or its bytes; its headings may be English, Russian or Ukrainian, with

@@ -24,6 +24,8 @@ from gripcourse.variants.spreadsheet import (
 _DELIMITERS = ("\t", ";", ",")
 """In the order in which they are believed: a heading like `mass, kg` may hold a comma."""
 
+_SPREADSHEETS = frozenset({".xlsx", ".xlsm", ".xlsb", ".xls", ".ods", ".numbers"})
+
 # One far cell makes every row as wide; a table of 100 000 rows has some 50 columns.
 _MOST_CELLS = 10_000_000
 _LAST_HEADING = 20  # row: whatever stands above headings is a title, not a page
@@ -91,7 +93,7 @@ class SheetsOfFile:
 
 
 def read_sheet(source: Readable, is_heading: IsHeading = lambda _: False) -> Sheet:
-    """Read a `.csv` or `.xlsx` file; of a spreadsheet the first sheet.
+    """Read a `.csv`, `.xlsx`, `.ods` or `.xls` file; of a spreadsheet the first sheet.
 
     Args:
         source: the file, or its bytes; its name tells what kind of table it is, but a workbook
@@ -120,7 +122,7 @@ def read_sheet(source: Readable, is_heading: IsHeading = lambda _: False) -> She
 
 
 def read_sheets(source: Readable, is_heading: IsHeading) -> SheetsOfFile:
-    """Read all tables of a `.csv` or `.xlsx` file; see `read_sheet`."""
+    """Read all tables of a file; see `read_sheet`."""
     if not (is_there(source) and _is_spreadsheet(source)):
         return SheetsOfFile((read_sheet(source, is_heading),))
     found = _sheets_of(source)
@@ -156,7 +158,7 @@ def column_name(position: int, header: tuple[str, ...]) -> str:
 
 
 def _is_spreadsheet(source: Readable) -> bool:
-    return pure_path(source).suffix.lower() == ".xlsx" or is_workbook(source)
+    return pure_path(source).suffix.lower() in _SPREADSHEETS or is_workbook(source)
 
 
 def _spreadsheet(source: Readable, is_heading: IsHeading) -> Sheet:
