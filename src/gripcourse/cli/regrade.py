@@ -137,7 +137,7 @@ def publish(
     course: CourseOption = None,
     language: LanguageOption = None,
 ) -> None:
-    """Record that students know their results: from now on only a regrade changes them."""
+    """Note that results are known, so that only a regrade changes them; to show them: release."""
     from gripcourse.gradebook.journal import Signed
     from gripcourse.usecases.marks import regrade as command
 
