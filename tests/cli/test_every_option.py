@@ -21,6 +21,7 @@ from support.command_line import Run, call, put_together
 REQUIRED: dict[str, tuple[str, ...]] = {
     "issue": ("--roster", "roster.csv", "--out", "out", "--workers", "0"),
     "reissue": ("s1", "--why", "slip", "--out", "out", "--workers", "0"),
+    "withdraw": ("s1", "--why", "left"),
     "grade": ("junk.xlsx", "--out", "out", "--workers", "0"),
     "check": ("junk.xlsx",),
     "draw": ("001",),

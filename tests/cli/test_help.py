@@ -25,6 +25,7 @@ SOURCES = Path(__file__).parents[2] / "src" / "gripcourse"
 TYPED = frozenset(
     (
         *("dask", "tcp", "tls", "host", "port"),
+        *("ods", "xls"),
         *("csv", "xlsx", "zip", "json", "dxf", "svg", "url", "en", "ru", "uk", "corrected", "as"),
         *(
             "printed",

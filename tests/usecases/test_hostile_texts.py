@@ -17,7 +17,7 @@ from jinja2 import Environment
 from openpyxl import load_workbook
 
 from gripcourse.cli.grading_text import grading_text
-from gripcourse.cli.text import issuing_text, unissued_text
+from gripcourse.cli.issuing_text import issuing_text, unissued_text
 from gripcourse.course.load import load_course
 from gripcourse.documents.handout_list import handout_document
 from gripcourse.documents.kind import SampleDocument

@@ -1,5 +1,6 @@
 """Rules of a policy under which guessing would pay are named; what a mistake costs is known."""
 
+import re
 from dataclasses import replace
 
 import pytest
@@ -7,6 +8,8 @@ import pytest
 from gripcourse.course.model import Course
 from gripcourse.course.quantity import Tolerance
 from gripcourse.policy.model import Policy
+from gripcourse.solver.plan import plan_of
+from gripcourse.solver.solve import solve_variant
 from gripcourse.variants.model import Variant
 from gripcourse.variants.pays import MOST_APART, mistake_costs, paying_rules, uneven_costs
 from support.issued_table import issued_table
@@ -18,7 +21,7 @@ def issued(course: Course) -> tuple[Variant, ...]:
 
 
 def said(course: Course, policy: Policy, issued: tuple[Variant, ...]) -> list[tuple[str, str]]:
-    return [(str(one.key), str(one.what)) for one in paying_rules(course, policy, issued)]
+    return [(str(one.key), str(one.what)) for one in paying_rules(course, policy, issued, "t.csv")]
 
 
 def test_nothing_pays_in_the_reference_course(
@@ -56,7 +59,15 @@ def test_a_tolerance_that_is_wide_beside_the_smallest_issued_value_is_named(
     course: Course, policy: Policy, issued: tuple[Variant, ...], name: str
 ) -> None:
     wide = replace(policy, tolerances={**policy.tolerances, name: Tolerance(0.01, 50.0)})
-    assert [key for key, _ in said(course, wide, issued)] == [f"quantity_tolerance.{name}"]
+    [(key, what)] = said(course, wide, issued)
+    assert key == f"quantity_tolerance.{name}"
+    (variant,) = re.findall(rf"which '{name}' has in variant (\d+) of t.csv", what)
+    values = {
+        one.id: abs(solve_variant(plan, one.given)[name])
+        for one in issued
+        if name in (plan := plan_of(course, one.composition)).quantities
+    }
+    assert values[variant] == min(values.values())
 
 
 def test_a_floor_that_is_wide_beside_what_is_issued_is_named(
@@ -66,6 +77,7 @@ def test_a_floor_that_is_wide_beside_what_is_issued_is_named(
     found = said(course, wide, issued)
     assert found
     assert {key for key, _ in found} == {"tolerance.floor.deg"}
+    assert all("in t.csv: a guess may meet it" in what for _, what in found)
 
 
 def test_a_floor_of_plain_numbers_is_named_as_the_policy_writes_it(
@@ -74,7 +86,7 @@ def test_a_floor_of_plain_numbers_is_named_as_the_policy_writes_it(
     wide = replace(policy, floors={**policy.floors, "": 0.5})
     found = said(course, wide, issued)
     assert {key for key, _ in found} == {'tolerance.floor.""'}
-    assert not any(" , which" in what for _, what in found)
+    assert not any(" ," in what for _, what in found)
 
 
 def test_an_answer_that_is_the_same_in_all_variants_may_earn_little(

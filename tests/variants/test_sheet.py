@@ -1,6 +1,9 @@
 """Tables are read as people save them."""
 
-from datetime import datetime
+import subprocess
+import zipfile
+from dataclasses import replace
+from datetime import date, datetime
 from pathlib import Path
 
 import openpyxl
@@ -8,6 +11,7 @@ import pytest
 import xlsxwriter
 
 from gripcourse.errors import TableError
+from gripcourse.machine.office import office_command
 from gripcourse.variants.sheet import SheetRow, column_name, read_sheet
 
 
@@ -70,7 +74,15 @@ def test_a_column_without_heading_has_its_letter(position: int) -> None:
     ("name", "content", "said"),
     [
         ("missing.csv", None, "no such file"),
-        ("t.ods", b"x", "Save it as .csv"),
+        ("t.docx", b"x", "Save it as .csv"),
+        ("t.xls", "ФИО\tГруппа\n".encode("cp1251"), "ends with .csv"),
+        ("t.xls", b"<html><table><tr><td>name</td></tr></table>", "is a web page"),
+        (
+            "t.xls",
+            b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1" + "EncryptedPackage".encode("utf-16-le"),
+            "Remove the password",
+        ),
+        ("t.ods", b"", "has no bytes"),
         ("t.csv", b"id\n\xff\0m\n", "line 2"),
         ("t.csv", b"\xff\xfei", "CSV UTF-8"),
         ("t.csv", b"", "is blank"),
@@ -78,8 +90,8 @@ def test_a_column_without_heading_has_its_letter(position: int) -> None:
         ("t.csv", b"a" + b",a" * 5000 + b"\nb" * 5000, "at most 200000 rows"),
         ("t.csv", b"a" + b",a" * 1800 + b"\nb" * 5000, "1801 columns wide"),
         ("t.csv", b"a\n" * 200_001, "at most 200000 rows"),
-        ("t.xlsx", b"no spreadsheet", "save it again as .xlsx"),
-        ("t.xlsx", b"", "save it again as .xlsx"),
+        ("t.xlsx", b"\0no spreadsheet", "save it again as .xlsx"),
+        ("t.xlsx", b"", "has no bytes"),
     ],
 )
 def test_a_file_that_is_no_table_is_one_clear_problem(
@@ -131,3 +143,53 @@ def test_a_formula_with_a_stored_result_is_that_result(tmp_path: Path) -> None:
         sheet.write_number(1, 0, 60)
         sheet.write_formula(1, 1, "=A2*2", None, 120)
     assert read_sheet(tmp_path / "t.xlsx").rows[0].cells == ("60", "120")
+
+
+@pytest.mark.office
+@pytest.mark.parametrize("ending", ["ods", "xls"])
+def test_a_table_of_another_format_is_read_as_libreoffice_opens_it(
+    tmp_path: Path, ending: str
+) -> None:
+    book = openpyxl.Workbook()
+    book.active.append(["Фамилия", "Масса, кг", "Дата"])
+    book.active.append(["О'Хара", 60.25, date(2026, 9, 1)])
+    hidden = book.create_sheet("черновик")
+    hidden.append(["никто"])
+    hidden.sheet_state = "hidden"
+    book.save(tmp_path / "t.xlsx")
+    office, profile = office_command(), (tmp_path / "profile").as_uri()
+    assert office is not None
+    subprocess.run(  # noqa: S603 (a found program)
+        [
+            *(office, f"-env:UserInstallation={profile}", "--headless", "--convert-to", ending),
+            *("--outdir", str(tmp_path), str(tmp_path / "t.xlsx")),
+        ],
+        check=True,
+        capture_output=True,
+        timeout=120,
+    )
+    assert read_sheet(tmp_path / f"t.{ending}") == replace(
+        read_sheet(tmp_path / "t.xlsx"), file=str(tmp_path / f"t.{ending}")
+    )
+
+
+@pytest.mark.parametrize(
+    ("name", "content", "said"),
+    [
+        ("t.ods", None, "an OpenDocument file, .ods"),
+        ("t.xls", b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1", "the old format .xls"),
+    ],
+)
+def test_without_libreoffice_it_is_said_what_the_table_is_and_how_to_save_it(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, name: str, content: bytes | None, said: str
+) -> None:
+    monkeypatch.setattr("gripcourse.variants.spreadsheet.office_command", lambda: None)
+    if content is None:
+        with zipfile.ZipFile(tmp_path / name, "w") as archive:
+            archive.writestr("mimetype", "application/vnd.oasis.opendocument.spreadsheet")
+            archive.writestr("content.xml", "<content/>")
+    else:
+        (tmp_path / name).write_bytes(content)
+    with pytest.raises(TableError, match=said) as caught:
+        read_sheet(tmp_path / name)
+    assert "Save it as .xlsx, or install LibreOffice" in str(caught.value)

@@ -17,6 +17,7 @@ from gripcourse.text.words import LANGUAGES, Texts
 from gripcourse.variants.draw import draw
 from gripcourse.variants.headings import find_columns, table_vocabulary
 from gripcourse.variants.model import Variant
+from gripcourse.variants.named_choices import allowed_names
 from gripcourse.variants.sheet import Sheet
 from gripcourse.variants.space import load_spaces
 from gripcourse.variants.table import read_own_table, read_table, write_table
@@ -351,3 +352,35 @@ def test_columns_left_out_are_filled_from_example_or_range_and_said(
 def test_a_table_is_csv_or_a_workbook(tmp_path: Path, small_course: Course) -> None:
     with pytest.raises(TableError, match=r"ends in \.csv or \.xlsx"):
         write_table(tmp_path / "table.ods", (), small_course)
+
+
+@pytest.mark.parametrize("language", [*LANGUAGES, "id"])
+def test_what_may_be_chosen_is_said_in_the_words_of_the_table(
+    course: Course, tmp_path: Path, language: str
+) -> None:
+    """Russian and Ukrainian call the shape of the jaws alike: the other column tells them apart."""
+    scheme = course.schemes["cross_cylinder"]
+    options = [one for one in scheme.options if one.id in {"jaw_shape", "drive"}]
+    headings = [one.id if language == "id" else one.title.of(language) for one in options]
+    path = write(tmp_path, f"scheme;{';'.join(headings)}", "cross_cylinder;?;?")
+    with pytest.raises(TableError) as caught:
+        read_own_table(path, course)
+    said = [str(one.remedy) for one in caught.value.problems]
+    assert said == [
+        f"Allowed here: {'; '.join(named)}."
+        for named in (
+            [choice.id if language == "id" else choice.title.of(language) for choice in one.choices]
+            for one in options
+        )
+    ]
+
+
+def test_the_nearest_name_is_suggested_beside_all_that_are_allowed() -> None:
+    known = (
+        ("oil", Texts({"en": "oil", "ru": "масло", "uk": "олива"})),
+        ("air", Texts({"en": "air", "ru": "воздух", "uk": "повітря"})),
+    )
+    assert str(allowed_names("Маслоо", known, "ru")) == (
+        "Did you mean 'масло'? Allowed here: масло; воздух."
+    )
+    assert str(allowed_names("вода", known, "")) == "Allowed here: oil; air."

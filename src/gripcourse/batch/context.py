@@ -29,6 +29,8 @@ class GradingContext:
             where nobody says so now.
         either_for: digests of the files for which this was said before.
         declared: by fingerprint, the declarations that versions corrected since were issued with.
+        joined: by id that was joined with another's, the id of the student; what was issued under
+            it is among the student's earlier versions.
     """
 
     course: Course
@@ -42,6 +44,7 @@ class GradingContext:
     either_version: bool | None = None
     either_for: frozenset[str] = frozenset()
     declared: Mapping[str, Course] = field(default_factory=dict)
+    joined: Mapping[str, str] = field(default_factory=dict)
 
 
 def handed_in_by(file: str, identity: Identity | None, context: GradingContext) -> HandedIn:
@@ -49,4 +52,5 @@ def handed_in_by(file: str, identity: Identity | None, context: GradingContext) 
     student = context.whose.get(file)
     if student is not None:
         return named_by_person(student, identity, context.register, context.earlier)
-    return identify(file, identity, context.register, context.pattern, context.earlier)
+    known, earlier = context.register, context.earlier
+    return identify(file, identity, known, context.pattern, earlier, context.joined)

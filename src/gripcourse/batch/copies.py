@@ -100,19 +100,19 @@ class _Judged:
 
     Attributes:
         places: of their reports.
-        made_for: by student, the version that a work was made for, where there are several.
+        made_for: by student, version and variant that a work was made for, where there are several.
         by: by student, the fingerprint of the declarations that a work was judged by, where these
             are not today's.
     """
 
     places: "array[int]"
-    made_for: Mapping[str, int]
+    made_for: Mapping[str, tuple[int, str]]
     by: Mapping[str, str]
 
     @classmethod
     def of(cls, reports: Iterable[Report], context: GradingContext) -> "_Judged":
         """Look through a batch."""
-        places, made_for, by = array("q"), dict[str, int](), dict[str, str]()
+        places, made_for, by = array("q"), dict[str, tuple[int, str]](), dict[str, str]()
         for place, report in enumerate(reports):
             if report.judged and report.student in context.register:
                 places.append(place)
@@ -120,7 +120,7 @@ class _Judged:
                 if report.declarations in context.declared:
                     by[report.student] = report.declarations
                 if report.student in context.earlier:
-                    made_for[report.student] = report.made_for
+                    made_for[report.student] = (report.made_for, report.variant)
         return cls(places, made_for, by)
 
     @property
@@ -140,7 +140,8 @@ class _Judged:
         """Return what a work was made for: whoever had an earlier version has its numbers."""
         versions = versions_of(student, context.register, context.earlier)
         wanted = self.made_for.get(student)
-        return next((one for one in versions if one.version == wanted), versions[-1])
+        asked = (one for one in versions if (one.version, one.variant.id) == wanted)
+        return next(asked, versions[-1])
 
 
 def _titles(context: GradingContext) -> Callable[[str, str], Texts | str]:

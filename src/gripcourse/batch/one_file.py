@@ -92,7 +92,11 @@ def judge_versions(raw: RawWorkbook, made_for: Issued, context: GradingContext) 
     said_before = raw.digest in context.either_for
     if not (said_before if context.either_version is None else context.either_version):
         return replace(report, remarks=(*said, *report.remarks))
-    others = [one for one in reversed(versions) if one.version != made_for.version]
+    # Only a corrected assignment leaves a choice: of two that were handed out, each is its own.
+    own = [one for one in versions if one.issued_as == made_for.issued_as]
+    others = [one for one in reversed(own) if one.version != made_for.version]
+    if not others:
+        return replace(report, remarks=(*said, *report.remarks))
     tried = [(made_for, report), *((one, judge_read(raw, one, context)) for one in others)]
     judged = [(one, found) for one, found in tried if found.judged]
     # Of equal ones the first: that is the version that the workbook was made for.

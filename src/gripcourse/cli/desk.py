@@ -144,7 +144,7 @@ def release(
     course: CourseOption = None,
     language: LanguageOption = None,
 ) -> None:
-    """Let students see their results by their links; they stay as they are now."""
+    """Show students a copy of their results on their pages; to note that they know it: publish."""
     from gripcourse.usecases.publishing import publish as command
     from gripcourse.usecases.serving.desk import open_context
 

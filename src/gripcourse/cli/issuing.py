@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Protocol
 import typer
 
 from gripcourse.cli import text as cli_text
+from gripcourse.cli.issuing_text import issuing_text, unissued_text
 from gripcourse.cli.loudness import confirm
 from gripcourse.cli.options import DONE, NEEDS_PERSON, say_limits
 from gripcourse.text.words import Words, message
@@ -33,8 +34,8 @@ def issue_with_progress(issue_all: IssueAll, out: Path, words: Words) -> "Issuin
             on_counted=lambda total: ticks.append(step(words.say(message("Issuing")), total)),
             on_done=lambda _: ticks[0](),
         )
-    confirm(cli_text.issuing_text(issuing, out, words))
-    unissued = cli_text.unissued_text(issuing, words)
+    confirm(issuing_text(issuing, out, words))
+    unissued = unissued_text(issuing, words)
     if unissued:
         typer.echo(unissued)
     return issuing

@@ -31,6 +31,7 @@ from gripcourse.cli import simulation
 from gripcourse.cli import text as cli_text
 from gripcourse.cli import trace as cli_trace
 from gripcourse.cli import variants as cli_variants
+from gripcourse.cli import withdraw as cli_withdraw
 from gripcourse.cli.foreseen import HANDOUTS, foresee
 from gripcourse.cli.help import SpokenCommand, command_group
 from gripcourse.cli.issuing import exit_code, issue_with_progress
@@ -75,6 +76,7 @@ app = command_group(
 for part in (
     cli_grade,
     cli_reissue,
+    cli_withdraw,
     cli_mark,
     cli_regrade,
     cli_trace,
@@ -167,7 +169,7 @@ def solve(  # noqa: PLR0913 (one parameter per option)
 @app.command(cls=SpokenCommand)
 def issue(  # noqa: PLR0913 (one parameter per option)
     *,
-    roster: Annotated[Path, typer.Option(help="Table of the students, csv or xlsx.")],
+    roster: Annotated[Path, typer.Option(help="Table of the students, csv, xlsx, ods or xls.")],
     out: OutOption,
     table: TableOption = None,
     deadline: Annotated[

@@ -67,7 +67,8 @@ def mark(  # noqa: PLR0913 (one parameter per option)
     ] = False,
     show: Annotated[bool, typer.Option("--list", help="Show what waits for a person.")] = False,
     table: Annotated[
-        Path | None, typer.Option("--table", help="Table of marks, csv or xlsx, instead of one.")
+        Path | None,
+        typer.Option("--table", help="Table of marks, csv, xlsx, ods or xls, instead of one."),
     ] = None,
     out: Annotated[
         Path | None,
@@ -95,12 +96,13 @@ def mark(  # noqa: PLR0913 (one parameter per option)
     if out is not None and not show:
         raise cli_text.misuse(message("--out goes with --list."))
     if show:
-        waits = command.what_waits(place)
+        context = open_grading(root)
+        waits = command.what_waits(place, context.joined)
         if out is not None:
-            command.write_waiting(waits, open_grading(root), place, out)
+            command.write_waiting(waits, context, place, out)
             typer.echo(str(out))
         else:
-            typer.echo(grading_text.waiting_text(waits, open_grading(root), words))
+            typer.echo(grading_text.waiting_text(waits, context, words))
         raise typer.Exit(NEEDS_PERSON if waits else DONE)
     context, marker, now = open_grading(root), by or getpass.getuser(), datetime.now(UTC)
     if table is not None:

@@ -137,7 +137,7 @@ def publish(
     course: CourseOption = None,
     language: LanguageOption = None,
 ) -> None:
-    """Record that students know their results: from now on only a regrade changes them."""
+    """Note that results are known, so that only a regrade changes them; to show them: release."""
     from gripcourse.gradebook.journal import Signed
     from gripcourse.usecases.marks import regrade as command
 
@@ -202,7 +202,7 @@ def history(
     from gripcourse.usecases.marks.called import item_with_id
     from gripcourse.usecases.marks.history import history as ask
     from gripcourse.usecases.marks.history import what_counts
-    from gripcourse.usecases.marks.opening import issued_of
+    from gripcourse.usecases.marks.opening import register_of
 
     words, root = words_for(language), course_folder(course)
     context = _sound(root)
@@ -215,7 +215,8 @@ def history(
         )
 
     place = gradebook_place(gradebook, root)
-    events = ask(place, student, issued_of(root), called)
+    register = register_of(root)
+    events = ask(place, student, register.by_student(), called, register.withdrawals)
     typer.echo(regrade_text.history_text(events, words))
     counts = None if context is None else what_counts(place, student, context)
     if counts is not None:

@@ -112,8 +112,10 @@ def published_text(told: Sequence["Published"], words: Words) -> str:
         return words.say(message("Exactly this has been published to everybody already."))
     return words.say(
         counted(
-            "{count} result is published; a regrade may change it.",
-            "{count} results are published; a regrade may change them.",
+            "{count} result is published; only a regrade changes it from now on. Nobody was shown"
+            " anything.",
+            "{count} results are published; only a regrade changes them from now on. Nobody was"
+            " shown anything.",
             len(told),
         )
     )

@@ -13,7 +13,6 @@ from gripcourse.cli.loudness import is_quiet
 from gripcourse.cli.table_layout import table_text
 from gripcourse.errors import Problem, UsageError
 from gripcourse.machine.files import write_text
-from gripcourse.text.shown import one_line, shown
 from gripcourse.text.words import Message, Texts, Words, counted, message
 
 # rich costs 60 ms to import: only who prints a table or a bar pays; likewise other rare ones.
@@ -23,7 +22,6 @@ if TYPE_CHECKING:
     from gripcourse.course.quantity import Convention
     from gripcourse.machine.doctor import MachineCheck
     from gripcourse.usecases.grading.check import CheckedWorkbook
-    from gripcourse.usecases.issuing.issue import Issuing
     from gripcourse.usecases.solving.audit import WrittenAudit
     from gripcourse.variants.audit import VariantAudit
     from gripcourse.variants.draw import Drawn
@@ -211,32 +209,6 @@ def _some(named: Iterable[str]) -> Message:
     said = message("{names}", names="; ".join(names[:_MOST_TOLD]))
     more = len(names) - _MOST_TOLD
     return message("{names} and {count} more", names=said, count=more) if more > 0 else said
-
-
-def issuing_text(issuing: "Issuing", out: Path, words: Words) -> str:
-    """Return what was issued, and the notes."""
-    whole = [one for one in issuing.handouts if not one.faults]
-    said = counted(
-        "{count} assignment is in {folder}.",
-        "{count} assignments are in {folder}.",
-        len(whole),
-        folder=str(out),
-    )
-    lines = [words.say(said), *(words.say(note) for note in issuing.notes)]
-    if issuing.outdated:
-        typed = f"gripcourse reissue {' '.join(map(shown, issuing.outdated))} --why …"
-        remedy = message("To issue the new numbers as a new version: {typed}", typed=typed)
-        lines.append(words.say(remedy))
-    return "\n".join(lines)
-
-
-def unissued_text(issuing: "Issuing", words: Words) -> str:
-    """Return whose documents could not be made, and why; nobody may miss it, `--quiet` or not."""
-    return "\n".join(
-        f"{one_line(one.student)}: {words.say(fault)}"
-        for one in issuing.handouts
-        for fault in one.faults
-    )
 
 
 def check_text(checked: "CheckedWorkbook", words: Words) -> str:

@@ -9,7 +9,7 @@ from typing import Any, Final
 from sqlalchemy import Connection, Row, Table, select
 
 from gripcourse.gradebook import schema
-from gripcourse.issuing.schema import issued, persons
+from gripcourse.issuing.schema import issued, persons, withdrawals
 from gripcourse.machine.database.home import exists
 from gripcourse.machine.database.moments import stored
 from gripcourse.machine.database.opening import open_engine, refusals_named, without_password
@@ -18,6 +18,7 @@ from gripcourse.machine.database.opening import open_engine, refusals_named, wit
 _DECIDE: Final = (
     issued,
     persons,
+    withdrawals,
     schema.attempts,
     schema.marks,
     schema.mark_lines,

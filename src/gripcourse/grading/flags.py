@@ -42,7 +42,7 @@ def _moved_flags(submission: Submission) -> Iterator[Flag]:
 
 def _absent_flags(submission: Submission, issued: Issued) -> Iterator[Flag]:
     """In somebody else's workbook it is no wonder that cells are absent."""
-    if submission.absent and submission.identity.student in {"", issued.student.id}:
+    if submission.absent and submission.identity.student in {"", issued.signed_for}:
         said = counted(
             "The workbook has no cell for {count} answer, which counts as blank: {names}. Either it"
             " was deleted, or the course asks for it only since the workbook was issued. Then issue"
@@ -64,7 +64,7 @@ def _identity_flags(submission: Submission, issued: Issued) -> Iterator[Flag]:
             FlagCode.IDENTITY_MISSING,
             message("The workbook no longer says to whom it was issued."),
         )
-    elif identity.student != issued.student.id:
+    elif identity.student != issued.signed_for:
         yield Flag(
             FlagCode.ISSUED_TO_OTHER,
             message(
@@ -80,7 +80,7 @@ def _identity_flags(submission: Submission, issued: Issued) -> Iterator[Flag]:
             FlagCode.SIGNATURE,
             message("The signature of the workbook is not the one that was issued."),
         )
-    if identity.other not in {"", issued.student.id}:
+    if identity.other not in {"", issued.signed_for}:
         yield Flag(
             FlagCode.IDENTITY_CHANGED,
             message(
@@ -91,7 +91,7 @@ def _identity_flags(submission: Submission, issued: Issued) -> Iterator[Flag]:
             ),
             (identity.other,),
         )
-    if identity.student == issued.student.id and _is_changed(identity, issued):
+    if identity.student == issued.signed_for and _is_changed(identity, issued):
         yield Flag(
             FlagCode.IDENTITY_CHANGED,
             message(
@@ -116,7 +116,7 @@ def _is_changed(identity: Identity, issued: Issued) -> bool:
 
 def _given_flags(submission: Submission, issued: Issued) -> Iterator[Flag]:
     """Changed givens matter only in the student's own workbook: another's are all different."""
-    if submission.identity.student not in {"", issued.student.id}:
+    if submission.identity.student not in {"", issued.signed_for}:
         return
     changed = [
         name

@@ -21,6 +21,7 @@ from gripcourse.text.words import Message, message
 from gripcourse.variants.model import Issued, names_of
 
 _NONE_EARLIER: Mapping[str, Sequence[Issued]] = MappingProxyType({})
+_NONE_JOINED: Mapping[str, str] = MappingProxyType({})
 
 
 @dataclass(frozen=True, slots=True)
@@ -48,6 +49,7 @@ def identify(
     register: Mapping[str, Issued],
     pattern: PathPattern | None = None,
     earlier: Mapping[str, Sequence[Issued]] = _NONE_EARLIER,
+    joined: Mapping[str, str] = _NONE_JOINED,
 ) -> HandedIn:
     """Tell who handed a file in, and which version of the assignment it was made for.
 
@@ -57,13 +59,14 @@ def identify(
         register: entries by student id, whose signatures were verified with the course's key.
         pattern: of the instructor's own order of folders; None for none.
         earlier: versions before those of the register by student id, oldest first.
+        joined: by id that was joined with another's, the id of the student.
     """
-    by_path = _by_path(file, register, pattern)
-    named = "" if identity is None else identity.student
+    by_path = _by_path(file, register, pattern, joined)
+    named = "" if identity is None else joined.get(identity.student, identity.student)
     if identity is not None and named in register:
         made_for = version_made_for(identity, versions_of(named, register, earlier))
         if is_signed_as(identity, made_for):
-            if identity.other in register:
+            if joined.get(identity.other, identity.other) in register:
                 return _doubtful(_two_inside(identity))
             said = _contradiction(file, made_for, by_path, register)
             return _doubtful(said) if said else HandedIn(made_for, KnownBy.SIGNATURE)
@@ -84,37 +87,47 @@ def named_by_person(
     return HandedIn(made_for, KnownBy.PERSON)
 
 
-def _by_path(file: str, register: Mapping[str, Issued], pattern: PathPattern | None) -> HandedIn:
+def _by_path(
+    file: str,
+    register: Mapping[str, Issued],
+    pattern: PathPattern | None,
+    joined: Mapping[str, str],
+) -> HandedIn:
     """Tell whose a path says it is; a platform's part of it leaves the rest nothing to say."""
     stated = None if pattern is None else pattern.part_of(file)
     if stated is not None:
-        entry = _of_pattern(stated, register)
+        entry = _of_pattern(stated, register, joined)
         if entry is not None and (other := _other_by_name(stated, entry, register)):
             return _doubtful(_two_in_path(entry.student.id, other))
         return HandedIn(entry, KnownBy.PLATFORM if entry else KnownBy.NOTHING)
     part = platform_part(file)
     if part is not None:
-        entry = _of_platform(part, register)
+        entry = _of_platform(part, register, joined)
         return HandedIn(entry, KnownBy.PLATFORM if entry else KnownBy.NOTHING)
     path = PurePath(unicodedata.normalize("NFC", file))
     # Handouts are folders named after their students; a bare number may count anything.
     folder = path.parent.name if not path.parent.name.isdecimal() else ""
-    told = [one for one in dict.fromkeys((path.stem, folder)) if one in register]
+    called = dict.fromkeys(joined.get(one, one) for one in (path.stem, folder))
+    told = [one for one in called if one in register]
     if len(told) > 1:
         return _doubtful(_two_in_path(*told))
     return HandedIn(register[told[0]], KnownBy.FILE_NAME) if told else _NOBODYS
 
 
-def _of_pattern(part: PlatformPart, register: Mapping[str, Issued]) -> Issued | None:
+def _of_pattern(
+    part: PlatformPart, register: Mapping[str, Issued], joined: Mapping[str, str]
+) -> Issued | None:
     """Return whom an instructor's own pattern names; a name only where one student has it."""
     if part.identifier:
-        return register.get(part.identifier)
+        return register.get(joined.get(part.identifier, part.identifier))
     named = [student for student, name in names_of(register) if part.is_named(name)]
     return register[named[0]] if len(named) == 1 else None
 
 
-def _of_platform(part: PlatformPart, register: Mapping[str, Issued]) -> Issued | None:
-    entry = register.get(part.identifier)
+def _of_platform(
+    part: PlatformPart, register: Mapping[str, Issued], joined: Mapping[str, str]
+) -> Issued | None:
+    entry = register.get(joined.get(part.identifier, part.identifier))
     if entry is None:
         return None
     # Platforms number people and attempts by themselves: such a number is a student's id only where

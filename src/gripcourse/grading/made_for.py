@@ -22,7 +22,10 @@ def version_made_for(identity: Identity | None, versions: Sequence[Issued]) -> I
     """
     if identity is None:
         return versions[-1]
-    return next((one for one in versions if is_signed_as(identity, one)), versions[-1])
+    signed = (one for one in versions if is_signed_as(identity, one))
+    # What was issued under another id was joined with the student's: it has no later version.
+    of_its_id = (one for one in reversed(versions) if one.issued_as == identity.student)
+    return next(signed, next(of_its_id, versions[-1]))
 
 
 def versions_of(
@@ -34,7 +37,7 @@ def versions_of(
 
 def is_of_other_declarations(issued: Issued, last: Issued) -> bool:
     """Tell whether a version was issued by other declarations than the one that replaced it."""
-    differs = issued.declarations != last.declarations
+    differs = issued.declarations != last.declarations and not issued.issued_as
     return issued.version < last.version and bool(issued.declarations) and differs
 
 
@@ -49,6 +52,15 @@ def said_of_version(
         kept: whether it was judged by declarations of its own.
     """
     last = versions[-1]
+    if issued.issued_as:
+        other = message(
+            "This workbook was issued to {id}, which was joined with {student}; it was judged by"
+            " the values on its sheet, variant {variant}.",
+            id=issued.issued_as,
+            student=last.student.id,
+            variant=issued.variant.id,
+        )
+        return (other,)
     if last.version == 1:
         return ()
     if issued.version == last.version:

@@ -42,11 +42,16 @@ class Extended:
         register: old entries first, in their order; new ones in the order of the roster.
         notes: what was kept although the roster or the table says otherwise now.
         outdated: students of whose variants the table has other numbers now.
+        left: students of the roster who have left the course.
+        in_and_out: students who are new, and those of the same groups who are not in the list:
+            one of them may be another of them under a new name.
     """
 
     register: Register
     notes: tuple[Message, ...]
     outdated: tuple[str, ...] = ()
+    left: tuple[str, ...] = ()
+    in_and_out: tuple[tuple[str, ...], tuple[str, ...]] = ((), ())
 
 
 def extend(
@@ -89,8 +94,14 @@ def extend(
         for student in new
     )
     notes = _notes(register, roster, variants, terms.deadline)
-    extended = Register(register.course_id, (*kept, *issued), register.earlier)
-    return Extended(extended, (*renamed, *notes), _outdated(register, roster, variants))
+    extended = replace(register, entries=(*kept, *issued))
+    return Extended(
+        extended,
+        (*renamed, *notes),
+        _outdated(register, roster, variants),
+        tuple(one for one in roster if one in known and known[one].left),
+        _in_and_out(register, roster),
+    )
 
 
 def _outdated(
@@ -213,7 +224,12 @@ def _notes(
         student = roster.get(name)
         if student is None:
             # A part of a group may be listed alone: that is no list of all.
-            absent.append(name)
+            absent += [] if entry.left else [name]
+            continue
+        if entry.left:
+            notes.append(message("{student} is in the list and has left the course: {why}. Nothing"
+                                 " is handed out.", student=name,
+                                 why=entry.left.rstrip(".")))  # fmt: skip
             continue
         now = table.get(id_)
         if now is None:
@@ -237,20 +253,32 @@ def _notes(
                 len(absent),
             )
         )
-        known = register.by_student()
-        groups = {student.group for id_, student in roster.items() if id_ in known}
-        gone = [one for one in absent if known[one].student.group in groups]
-        new = [id_ for id_ in roster if id_ not in known]
-        if gone and new:
+        new, gone = _in_and_out(register, roster)
+        if new:
             # One of them may be another of them under a new surname: nothing else tells that.
             said = message(
                 "New in this list: {new}; no longer in it, of the same groups: {gone}. Is anybody"
-                " in both under another name? Tell it by the id.",
+                " in both under another name?",
                 new=first_of(new, _NAMED),
                 gone=first_of(gone, _NAMED),
             )
             notes.append(said)
     return tuple(notes)
+
+
+def _in_and_out(
+    register: Register, roster: Mapping[str, Student]
+) -> tuple[tuple[str, ...], tuple[str, ...]]:
+    """Return who is new and who is gone of the same groups; nobody where either is nobody."""
+    known = register.by_student()
+    groups = {student.group for id_, student in roster.items() if id_ in known}
+    gone = tuple(
+        id_
+        for id_, one in known.items()
+        if id_ not in roster and not one.left and one.student.group in groups
+    )
+    new = tuple(id_ for id_ in roster if id_ not in known)
+    return (new, gone) if new and gone else ((), ())
 
 
 def _kept_deadline(student: str, deadline: date | None) -> Message:

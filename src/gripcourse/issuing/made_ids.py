@@ -8,8 +8,8 @@ gets a second variant before a person has said so.
 import re
 import unicodedata
 from collections.abc import Collection, Iterable, Mapping, Sequence
-from dataclasses import replace
-from typing import TypeAlias
+from dataclasses import dataclass, field, replace
+from typing import Final, TypeAlias
 
 from gripcourse.issuing.known_people import KnownPeople
 from gripcourse.issuing.same_person import (
@@ -34,30 +34,53 @@ Said: TypeAlias = tuple[Message, Message]
 """What is wrong, and the remedy."""
 
 
+@dataclass(frozen=True, slots=True)
+class Joined:
+    """Persons who were listed under a second id, which was joined with theirs.
+
+    Attributes:
+        students: as they were listed then.
+        ids: by each such id, that of the person.
+    """
+
+    students: Sequence[Student] = ()
+    ids: Mapping[str, str] = field(default_factory=dict)
+
+    def with_own_ids(self) -> tuple[Student, ...]:
+        """Return them as they were listed, with the ids that they have."""
+        return tuple(replace(one, id=self.ids[one.id]) for one in self.students)
+
+
+NOBODY: Final = Joined()
+
+
 def with_ids(
-    students: Sequence[Student], known: Sequence[Student]
+    students: Sequence[Student], known: Sequence[Student], joined: Joined = NOBODY
 ) -> tuple[tuple[Student, ...], tuple[Message, ...], list[tuple[int, Said]]]:
     """Give everybody the id by which the register knows them, and one to each who has none.
 
     Args:
         students: of one list, names not empty.
         known: of earlier lists, each with an id.
+        joined: which of these have been called otherwise.
 
     Returns:
         The students in their order; notes where ids were made, or are others than the list's; by
         place in the list those whom nothing tells apart from another one, or of whom only a person
         can say whether the register knows them.
     """
+    known = (*known, *joined.with_own_ids())
     register, listed = KnownPeople.of(known), KnownPeople.of(students)
-    found = [_known_id(one, register, listed) for one in students]
+    found = [joined.ids.get(one.id) or _known_id(one, register, listed) for one in students]
     kept_ids = {*found}
     again = [
         "" if id_ else _as_before(one, register, kept_ids) for one, id_ in _pairs(students, found)
     ]
     ids = [one or other for one, other in zip(found, again, strict=True)]
     problems = _doubles(students, [place for place, one in enumerate(students) if not one.id])
+    problems += _joined_doubles(students, ids, joined)
     problems += _doubtful(students, ids, known)
-    taken = {one.id.casefold() for one in (*students, *known) if one.id}
+    taken = {one.id.casefold() for one in (*students, *known, *joined.students) if one.id}
     made: list[str] = []
     numbers: dict[str, int] = {}
     for place, student in enumerate(students):
@@ -70,7 +93,7 @@ def with_ids(
         one if id_ == one.id else replace(one, id=id_ or one.id, group=_as_known(one.group, groups))
         for one, id_ in _pairs(students, ids)
     )
-    kept = [(one.id, id_) for one, id_ in _pairs(students, again) if id_]
+    kept = [(one.id, id_) for one, id_ in _pairs(students, ids) if one.id and id_ != one.id and id_]
     return all_, (*_kept_note(kept), *_note(made)), problems
 
 
@@ -97,7 +120,13 @@ def _known_id(student: Student, known: KnownPeople, listed: KnownPeople) -> str:
         if (is_in_same_group(one, student) or (alone and not one.group))
         and not has_other_address(one, student)
     ]
-    return same[0].id if len(same) == 1 else ""
+    return _only_id(same)
+
+
+def _only_id(same: Iterable[Student]) -> str:
+    """Return the id of one person, who may be known under two names; empty for nobody, or two."""
+    ids = {one.id for one in same}
+    return ids.pop() if len(ids) == 1 else ""
 
 
 def _as_before(student: Student, known: KnownPeople, listed: Collection[str]) -> str:
@@ -113,7 +142,7 @@ def _as_before(student: Student, known: KnownPeople, listed: Collection[str]) ->
         if one.id not in listed
         and (has_cut_id(student, one) or (_is_made(one) and _is_same(student, one)))
     ]
-    return same[0].id if len(same) == 1 else ""
+    return _only_id(same)
 
 
 def _is_same(student: Student, known: Student) -> bool:
@@ -157,6 +186,26 @@ def _doubtful(
                 " the list, each with an id.",
                 id=same.id,
             )
+            found.append((place, (what, remedy)))
+    return found
+
+
+def _joined_doubles(
+    students: Sequence[Student], ids: Sequence[str], joined: Joined
+) -> list[tuple[int, Said]]:
+    """Return rows of somebody who is in the list already, under an id that was joined with it."""
+    names = {id_: former for former, id_ in joined.ids.items()}
+    first: dict[str, int] = {}
+    found: list[tuple[int, Said]] = []
+    for place, id_ in enumerate(ids):
+        if id_ in names and first.setdefault(id_, place) != place:
+            what = message(
+                "'{name}' is in the list already: {joined} was joined with {id}.",
+                name=students[place].name,
+                joined=names[id_],
+                id=id_,
+            )
+            remedy = message("Leave one of the two rows, or take the joining back.")
             found.append((place, (what, remedy)))
     return found
 

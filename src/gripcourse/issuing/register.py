@@ -6,8 +6,9 @@ from operator import attrgetter
 
 from gripcourse.errors import Problem, RegisterError
 from gripcourse.issuing.signature import verify
+from gripcourse.issuing.withdrawal import Withdrawal, joined_to
 from gripcourse.text.words import message
-from gripcourse.variants.model import Issued
+from gripcourse.variants.model import Issued, Student
 
 
 @dataclass(frozen=True, slots=True)
@@ -17,21 +18,32 @@ class Register:
     Attributes:
         course_id: id of the course, part of every signature.
         entries: of each student the version that counts, in the order of the first issue.
-        earlier: versions that others stand in the place of now; they were handed out.
+        earlier: versions that others stand in the place of now; they were handed out. Among them is
+            what was issued under ids that were joined with a student's.
+        withdrawals: all that were kept, oldest first.
+        joined: persons as they were listed under ids that were joined with a student's.
     """
 
     course_id: str
     entries: tuple[Issued, ...]
     earlier: tuple[Issued, ...] = ()
+    withdrawals: tuple[Withdrawal, ...] = ()
+    joined: tuple[Student, ...] = ()
 
     def by_student(self) -> Mapping[str, Issued]:
         """Return the entries by student id."""
         return {entry.student.id: entry for entry in self.entries}
 
+    def find(self, student: str) -> Issued | None:
+        """Return the entry of whom an id names, also where it was joined with another's."""
+        person = joined_to(self.withdrawals).get(student, student)
+        return self.by_student().get(person)
+
     def versions(self) -> Mapping[str, tuple[Issued, ...]]:
-        """Return all that each student was issued, oldest first."""
+        """Return all that each student was issued, oldest first; what was joined stands first."""
         found: dict[str, list[Issued]] = {}
-        for entry in sorted((*self.earlier, *self.entries), key=attrgetter("version")):
+        by_version = sorted((*self.earlier, *self.entries), key=attrgetter("version"))
+        for entry in sorted(by_version, key=lambda one: not one.issued_as):
             found.setdefault(entry.student.id, []).append(entry)
         return {student: tuple(entries) for student, entries in found.items()}
 
@@ -56,7 +68,7 @@ def changed_entries(
 
 def is_unchanged(entry: Issued, course_id: str, keys: Sequence[bytes]) -> bool:
     """Tell whether the numbers of an entry fit its signature by any of some keys."""
-    student, variant, signed = entry.student.id, entry.variant, entry.signature
+    student, variant, signed = entry.signed_for, entry.variant, entry.signature
     return any(verify(key, course_id, student, variant, signed, entry.version) for key in keys)
 
 
@@ -96,7 +108,7 @@ def refuse_changed(changed: Sequence[Issued], entries: int, place: str) -> None:
         raise RegisterError(
             Problem(
                 place,
-                message("student {student}", student=entry.student.id),
+                message("student {student}", student=entry.signed_for),
                 message(
                     "The register was changed: scheme, options or given numbers of variant"
                     " {variant} are not those that were issued.",

@@ -87,10 +87,10 @@ def reissue(
     if problems:
         raise UsageError(problems)
     return Extended(
-        Register(
-            register.course_id,
-            tuple(fresh.get(entry.student.id, entry) for entry in register.entries),
-            (*register.earlier, *(known[student] for student in fresh)),
+        replace(
+            register,
+            entries=tuple(fresh.get(entry.student.id, entry) for entry in register.entries),
+            earlier=(*register.earlier, *(known[student] for student in fresh)),
         ),
         (
             *renamed,

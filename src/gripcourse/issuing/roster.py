@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 from gripcourse.errors import Problem, TableError
 from gripcourse.issuing.group_titles import GroupTitles, groups_note
-from gripcourse.issuing.made_ids import with_ids
+from gripcourse.issuing.made_ids import NOBODY, Joined, with_ids
 from gripcourse.issuing.office_list import PARTS_OF_NAME
 from gripcourse.issuing.people_list import lists_in
 from gripcourse.machine.content import Readable
@@ -44,9 +44,12 @@ class Roster:
 
 
 def read_roster(
-    source: Readable, known: Iterable[Student] = (), languages: Sequence[str] = LANGUAGES
+    source: Readable,
+    known: Iterable[Student] = (),
+    languages: Sequence[str] = LANGUAGES,
+    joined: Joined = NOBODY,
 ) -> Roster:
-    """Read a roster from a `.csv` or `.xlsx` file.
+    """Read a roster from a `.csv`, `.xlsx`, `.ods` or `.xls` file.
 
     Args:
         source: the file, or its bytes; its headings may be English, Russian or Ukrainian, with
@@ -54,6 +57,7 @@ def read_roster(
             read; where no column says it, the group is the title of the sheet.
         known: students of earlier lists: who has no id here and is one of them keeps that id.
         languages: that the course is written in.
+        joined: which of these have been called otherwise.
 
     Returns:
         The students in the order of the rows.
@@ -78,7 +82,7 @@ def read_roster(
     students: tuple[Student, ...] = tuple(one.student for one in read)
     made: tuple[Message, ...] = ()
     if not problems:
-        students, made, doubles = with_ids(students, tuple(known))
+        students, made, doubles = with_ids(students, tuple(known), joined)
         problems += (
             Problem(
                 read[place].reader.sheet.file,

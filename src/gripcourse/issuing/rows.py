@@ -14,6 +14,8 @@ from sqlalchemy import Row as SqlRow
 from gripcourse.errors import Problem, RegisterError
 from gripcourse.issuing import schema
 from gripcourse.issuing.register import Register
+from gripcourse.issuing.withdrawal import Withdrawal
+from gripcourse.issuing.withdrawal_rows import as_withdrawn, fetch_withdrawals, withdrawal_row
 from gripcourse.machine.enclosed import is_file_name
 from gripcourse.text.words import message
 from gripcourse.variants.given_numbers import SharedNames
@@ -33,7 +35,8 @@ def fetch_rows(connection: Connection, course_id: str) -> Sequence[RowOfTable]:
 
 def read_rows(connection: Connection, course_id: str, place: str) -> Register:
     """Return what was issued in a course; see `register_of_rows`."""
-    return register_of_rows(fetch_rows(connection, course_id), course_id, place)
+    rows = fetch_rows(connection, course_id)
+    return register_of_rows(rows, course_id, place, fetch_withdrawals(connection, course_id))
 
 
 def stream_entries(connection: Connection, course_id: str, place: str) -> Iterator[Issued]:
@@ -46,13 +49,19 @@ def stream_entries(connection: Connection, course_id: str, place: str) -> Iterat
         yield from _entries(streamed, place)
 
 
-def register_of_rows(found: Iterable[RowOfTable], course_id: str, place: str) -> Register:
+def register_of_rows(
+    found: Iterable[RowOfTable],
+    course_id: str,
+    place: str,
+    withdrawals: tuple[Withdrawal, ...] = (),
+) -> Register:
     """Put a register together: of each student the last version counts.
 
     Args:
         found: the rows of the course.
         course_id: of the course.
         place: where the database is, for a person.
+        withdrawals: of the course, oldest first.
 
     Raises:
         RegisterError: a row cannot be read.
@@ -64,7 +73,7 @@ def register_of_rows(found: Iterable[RowOfTable], course_id: str, place: str) ->
         if student in entries:
             earlier.append(entries[student])
         entries[student] = entry
-    return Register(course_id, tuple(entries.values()), tuple(earlier))
+    return as_withdrawn(Register(course_id, tuple(entries.values()), tuple(earlier), withdrawals))
 
 
 def _all_of(course_id: str) -> Select[Any]:
@@ -113,7 +122,7 @@ def other_courses(connection: Connection, course_id: str) -> tuple[str, ...]:
 
 
 def add_rows(connection: Connection, before: Register, after: Register) -> None:
-    """Add what a register has more than before: versions, and persons with other data."""
+    """Add what a register has more than before: versions, persons' other data, withdrawals."""
     known, course = before.by_student(), after.course_id
     fresh = [
         one
@@ -129,7 +138,13 @@ def add_rows(connection: Connection, before: Register, after: Register) -> None:
         for one in after.entries
         if one.student.id not in known or known[one.student.id].student != one.student
     ]
-    for table, rows in ((schema.issued, issued), (schema.persons, persons)):
+    withdrawn = [
+        withdrawal_row(course, number, one)
+        for number, one in enumerate(after.withdrawals, start=1)
+        if number > len(before.withdrawals)
+    ]
+    parts = (schema.issued, issued), (schema.persons, persons), (schema.withdrawals, withdrawn)
+    for table, rows in parts:
         if rows:
             connection.execute(insert(table), rows)
 

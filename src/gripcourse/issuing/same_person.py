@@ -52,13 +52,21 @@ def may_be(student: Student, known: Student, *, is_told_by_id: bool) -> bool:
     if is_in_same_group(student, known):
         # A platform knows no patronymics, and has the first name first.
         fewer = min(words, others, key=len)
-        return is_same or (len(fewer) >= _FEWEST_WORDS and words | others in (words, others))
+        is_same = is_same or (len(fewer) >= _FEWEST_WORDS and words | others in (words, others))
+        return is_same or (not is_told_by_id and _has_other_surname(student, known))
     return is_same and not is_told_by_id and not has_other_address(student, known)
 
 
 @lru_cache(maxsize=_KEPT)
 def _seen(name: str) -> str:
     return as_seen(name)
+
+
+def _has_other_surname(one: Student, other: Student) -> bool:
+    """Tell whether two names are the same but for the surname, as after a marriage."""
+    pairs = [_seen(each.name).replace(",", " ").split() for each in (one, other)]
+    (surname, *rest), (other_surname, *other_rest) = (names or [""] for names in pairs)
+    return len(rest) >= _FEWEST_WORDS and rest == other_rest and surname != other_surname
 
 
 @lru_cache(maxsize=_KEPT)

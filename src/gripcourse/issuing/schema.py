@@ -3,7 +3,17 @@
 The tables are made by the revisions in `database.migrations`; a test compares both.
 """
 
-from sqlalchemy import Column, Integer, MetaData, String, Table, Text, UniqueConstraint
+from sqlalchemy import (
+    Boolean,
+    Column,
+    DateTime,
+    Integer,
+    MetaData,
+    String,
+    Table,
+    Text,
+    UniqueConstraint,
+)
 
 metadata = MetaData()
 
@@ -41,4 +51,18 @@ persons = Table(
     Column("email", String, nullable=False),
     Column("language", String, nullable=False),
     Column("fixed_variant", String, nullable=False),
+)
+
+# Who left or was issued to under two ids, and who came back; of a student the last row counts.
+withdrawals = Table(
+    "register_withdrawal",
+    metadata,
+    Column("course", String, primary_key=True),
+    Column("number", Integer, primary_key=True, autoincrement=False),
+    Column("student", String, nullable=False),
+    Column("same_as", String, nullable=False),  # empty for who left
+    Column("undone", Boolean, nullable=False),
+    Column("by", String, nullable=False),
+    Column("why", Text, nullable=False),
+    Column("at", DateTime, nullable=False),
 )

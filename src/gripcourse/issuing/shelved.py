@@ -6,11 +6,12 @@ common, as options and the names of given numbers, is held once and lies on no s
 
 from array import array
 from collections.abc import Callable, Hashable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from itertools import chain, islice
 from typing import Any, Final, Generic, TypeAlias, TypeVar
 
 from gripcourse.issuing.register import is_unchanged, refuse_changed
+from gripcourse.issuing.withdrawal import Withdrawal, as_of_person, joined_to, why_left
 from gripcourse.machine.shelf import Shelved
 from gripcourse.variants.given_numbers import GivenNumbers, SharedNames
 from gripcourse.variants.model import Issued, Student, Variant
@@ -31,15 +32,21 @@ class ShelvedRegister:
         last: by student id, the version that counts, in the order of the first issue.
         earlier: by student id, the versions before that, oldest first; without students who have
             none.
+        joined: by id that was joined with another's, the id of the student.
     """
 
     course_id: str
     last: Mapping[str, Issued]
     earlier: Mapping[str, tuple[Issued, ...]]
+    joined: Mapping[str, str] = field(default_factory=dict)
 
 
 def shelved(
-    entries: Iterable[Issued], course_id: str, keys: Sequence[bytes], place: str
+    entries: Iterable[Issued],
+    course_id: str,
+    keys: Sequence[bytes],
+    place: str,
+    withdrawals: Sequence[Withdrawal] = (),
 ) -> ShelvedRegister:
     """Put entries on a shelf as they come, and see that nobody has changed any.
 
@@ -48,10 +55,12 @@ def shelved(
         course_id: of the course.
         keys: of the signatures.
         place: where the register is, for a person.
+        withdrawals: of the course, oldest first.
 
     Raises:
         RegisterError: naming every student whose numbers are not those that were issued.
     """
+    joined, left = joined_to(withdrawals), why_left(withdrawals)
     numbers: dict[str, int] = {}
     before: dict[str, list[int]] = {}
     replaced = array("q")
@@ -66,7 +75,7 @@ def shelved(
                 before.setdefault(student, []).append(numbers[student])
                 replaced.append(numbers[student])
             numbers[student] = number
-            yield entry
+            yield replace(entry, left=left.get(student, "")) if student in left else entry
 
     rows = _on_shelf(looked_at())
     wrong = [one for one in chain(numbers.values(), replaced) if one in changed]
@@ -75,10 +84,22 @@ def shelved(
         student: sorted((*mine, numbers[student]), key=lambda one: rows.entry(one).version)
         for student, mine in before.items()
     }
-    earlier = {student: tuple(mine[:-1]) for student, mine in oldest_first.items()}
-    return ShelvedRegister(
-        course_id, _LastVersions(numbers, rows.entry), _Loading(earlier, rows.entries)
-    )
+    of_others: dict[str, list[int]] = {}
+    for student, person in joined.items():
+        mine = oldest_first.pop(student, [numbers[student]])
+        of_others.setdefault(person, []).extend(mine)
+        rows.persons.update(dict.fromkeys(mine, numbers[person]))
+    for student in joined:
+        del numbers[student]
+    earlier = {
+        student: (
+            *sorted(of_others.get(student, ()), key=lambda one: rows.entry(one).version),
+            *oldest_first.get(student, ())[:-1],
+        )
+        for student in (*of_others, *(one for one in oldest_first if one not in of_others))
+    }
+    last = _LastVersions(numbers, rows.entry)
+    return ShelvedRegister(course_id, last, _Loading(earlier, rows.entries), joined)
 
 
 @dataclass(frozen=True, slots=True, eq=False, repr=False)
@@ -145,6 +166,8 @@ class _NumberedEntries:
         common: texts and days; see `_Common`.
         options: what variants choose.
         names: of given numbers, with their places.
+        persons: of entries that were issued under an id that was joined with a student's, the last
+            entry of that student.
     """
 
     ids: Sequence[str]
@@ -152,11 +175,18 @@ class _NumberedEntries:
     common: Sequence[Any]
     options: Sequence[Mapping[str, str]]
     names: Sequence[Mapping[str, int]]
+    persons: dict[int, int] = field(default_factory=dict)
 
     def entry(self, number: int) -> Issued:
         """Load an entry."""
+        found = self._issued(number)
+        if number not in self.persons:
+            return found
+        return as_of_person(found, self._issued(self.persons[number]).student)
+
+    def _issued(self, number: int) -> Issued:
         own, in_common = self.records[number]
-        name, email, fixed, variant, given, signature, version, why, issued_by = own
+        name, email, fixed, variant, given, signature, version, why, issued_by, left = own
         options, names, *places = in_common
         group, language, scheme, issued_on, deadline, declarations = map(
             self.common.__getitem__, places
@@ -172,6 +202,7 @@ class _NumberedEntries:
             why,
             issued_by,
             declarations,
+            left=left,
         )
 
     def entries(self, numbers: Iterable[int]) -> tuple[Issued, ...]:
@@ -212,7 +243,7 @@ def _on_shelf(entries: Iterable[Issued]) -> _NumberedEntries:
         )
         own = (
             *(student.name, student.email, student.variant, variant.id, numbers.packed()),
-            *(entry.signature, entry.version, entry.why, entry.issued_by),
+            *(entry.signature, entry.version, entry.why, entry.issued_by, entry.left),
         )
         in_common = (
             options.number(variant.options, tuple(variant.options.items())),

@@ -7,9 +7,10 @@ no entry is lost and no variant given twice.
 
 from collections.abc import Callable, Sequence
 from contextlib import suppress
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from itertools import chain, islice
 from pathlib import Path
+from typing import TypeAlias
 
 from sqlalchemy import Connection, Engine
 
@@ -28,6 +29,8 @@ from gripcourse.issuing.rows import (
 )
 from gripcourse.issuing.shelved import ShelvedRegister, shelved
 from gripcourse.issuing.signature import key_path, read_keys
+from gripcourse.issuing.withdrawal import Withdrawal
+from gripcourse.issuing.withdrawal_rows import fetch_withdrawals
 from gripcourse.machine.database.home import exists, gradebook_path, home_of
 from gripcourse.machine.database.opening import (
     another_was_faster,
@@ -37,6 +40,8 @@ from gripcourse.machine.database.opening import (
     writing,
 )
 from gripcourse.text.words import message
+
+_Kept: TypeAlias = tuple[Sequence[RowOfTable], tuple[Withdrawal, ...]]
 
 # Each refusal means that somebody else got through, so a few tries per rival are enough.
 _TRIES = 50
@@ -80,7 +85,8 @@ def shelve_register(root: Path, course_id: str) -> ShelvedRegister:
             keys = read_keys(key_path(root))
         else:
             _refuse_other(connection, engine, root, course_id)
-        return shelved(chain(first, entries), course_id, keys, place)
+        withdrawals = fetch_withdrawals(connection, course_id)
+        return shelved(chain(first, entries), course_id, keys, place, withdrawals)
 
 
 def _register_engine(root: Path, course_id: str) -> Engine | None:
@@ -110,9 +116,7 @@ class VerifiedRegister:
     root: Path
     course_id: str
     engine: Engine
-    _last: tuple[Sequence[RowOfTable], tuple[bytes, ...], Register] | None = field(
-        default=None, init=False
-    )
+    _last: tuple[_Kept, tuple[bytes, ...], Register] | None = field(default=None, init=False)
 
     def read(self) -> Register:
         """Return the register as it is now.
@@ -124,14 +128,16 @@ class VerifiedRegister:
         place = without_password(self.engine.url)
         with refusals_named(place), self.engine.connect() as connection:
             rows = fetch_rows(connection, self.course_id)
+            withdrawals = fetch_withdrawals(connection, self.course_id)
         if not rows:
             return read_register(self.root, self.course_id)
         keys, last = tuple(read_keys(key_path(self.root))), self._last
-        if last is not None and last[:2] == (rows, keys):
+        kept = rows, withdrawals
+        if last is not None and last[:2] == (kept, keys):
             return last[2]
         key, *former = keys
-        register = register_of_rows(rows, self.course_id, place)
-        self._last = (rows, keys, verified(register, key, place, former))
+        register = register_of_rows(rows, self.course_id, place, withdrawals)
+        self._last = (kept, keys, verified(register, key, place, former))
         return register
 
 
@@ -249,7 +255,7 @@ def _joined(before: Register, old: Register, path: Path) -> Register:
         remedy = message("Move the wrong one away; do not edit either by hand.")
         raise RegisterError([Problem(str(path), "", what, remedy)])
     fresh = (entry for entry in old.entries if entry.student.id not in known)
-    return Register(before.course_id, (*before.entries, *fresh))
+    return replace(before, entries=(*before.entries, *fresh))
 
 
 def _free(path: Path) -> Path:

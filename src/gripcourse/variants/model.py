@@ -64,6 +64,9 @@ class Issued:
         why: it was issued anew; empty for a first version.
         issued_by: who issued it anew; empty for a first version.
         declarations: fingerprint of the course's declarations then; empty where it was not kept.
+        issued_as: id under which it was issued, where that was joined with the student's; else
+            empty.
+        left: why the student is no longer in the course; empty for who is.
     """
 
     student: Student
@@ -75,6 +78,13 @@ class Issued:
     why: str = ""
     issued_by: str = ""
     declarations: str = ""
+    issued_as: str = ""
+    left: str = ""
+
+    @property
+    def signed_for(self) -> str:
+        """The id that workbook, sheet and signature bear."""
+        return self.issued_as or self.student.id
 
 
 @runtime_checkable

@@ -57,9 +57,10 @@ class MistakeCost:
 
 @dataclass(frozen=True, slots=True)
 class _IssuedAnswer:
-    """What an issued variant has for an answer, in the declared unit, and what it earns."""
+    """What a variant of a table has for an answer, in the declared unit, and what it earns."""
 
     quantity: Quantity
+    variant: str
     scheme: str
     value: float
     points: float
@@ -95,20 +96,23 @@ def _is_main(name: str, policy: Policy) -> bool:
     return name in policy.main_points
 
 
-def paying_rules(course: Course, policy: Policy, variants: Sequence[Variant]) -> Iterator[Problem]:
+def paying_rules(
+    course: Course, policy: Policy, variants: Sequence[Variant], table: str
+) -> Iterator[Problem]:
     """Name what in a policy would let a work earn that computes little.
 
     Args:
         course: whose policy it is.
         policy: how answers become points.
         variants: that are issued.
+        table: their file, as a person would look for it.
     """
     file = str(policy_path(course.root).relative_to(course.root))
     yield from _too_lenient(file, policy)
     yield from _without_main_results(file, policy, mistake_costs(course, policy, variants))
     issued = _issued(course, policy, variants)
-    yield from _too_wide(file, policy, issued)
-    yield from _same_for_all(file, policy, issued)
+    yield from _too_wide(file, policy, issued, table)
+    yield from _same_for_all(file, policy, issued, table)
 
 
 def _too_lenient(file: str, policy: Policy) -> Iterator[Problem]:
@@ -154,7 +158,7 @@ def _without_main_results(
 
 
 def _too_wide(
-    file: str, policy: Policy, issued: Mapping[str, Sequence[_IssuedAnswer]]
+    file: str, policy: Policy, issued: Mapping[str, Sequence[_IssuedAnswer]], table: str
 ) -> Iterator[Problem]:
     """Name absolute tolerances that are wide beside what is issued.
 
@@ -176,20 +180,27 @@ def _too_wide(
             continue
         floor = f"tolerance.floor.{quantity.unit or _EMPTY}"
         key = f"quantity_tolerance.{quantity.id}" if is_own else floor
+        smallest = min((one for one in answers if one.value), key=lambda one: abs(one.value))
+        said = (
+            message("the usual size of '{quantity}' in {table}", quantity=quantity.id, table=table)
+            if spans_zero
+            else message("which '{quantity}' has in variant {variant} of {table}",
+                         quantity=quantity.id, variant=smallest.variant, table=table)
+        )  # fmt: skip
         what = message(
-            "The absolute tolerance {absolute} is {share} % of {size}, which '{quantity}' "
-            "has in issued variants: a guess may meet it.",
+            "The absolute tolerance {absolute} is {share} % of {size}, {which}: a guess may meet"
+            " it.",
             absolute=absolute,
             share=round(100 * absolute / size, 1),
             size=amount_texts(size, quantity.unit),
-            quantity=quantity.id,
+            which=said,
         )
         remedy = message("Write at most {absolute}.", absolute=_no_more_than(FLOOR_SHARE * size))
         yield Problem(file, key, what, remedy)
 
 
 def _same_for_all(
-    file: str, policy: Policy, issued: Mapping[str, Sequence[_IssuedAnswer]]
+    file: str, policy: Policy, issued: Mapping[str, Sequence[_IssuedAnswer]], table: str
 ) -> Iterator[Problem]:
     """Name answers that earn much though all variants of a scheme have the same one.
 
@@ -208,11 +219,12 @@ def _same_for_all(
             ):
                 continue
             what = message(
-                "'{quantity}' is the same in all {count} variants of the scheme '{scheme}', and "
-                "earns {points} points: a neighbour's number earns them too.",
+                "'{quantity}' is the same in all {count} variants of the scheme '{scheme}' in"
+                " {table}, and earns {points} points: a neighbour's number earns them too.",
                 quantity=name,
                 count=len(own),
                 scheme=scheme,
+                table=table,
                 points=round(points, 2),
             )
             remedy = message("Write a smaller weight, or draw the variants from wider ranges.")
@@ -238,7 +250,12 @@ def _issued(
                 is_from_given = depends_on_given(plan, one.id)
                 found[one.id].append(
                     _IssuedAnswer(
-                        one, variant.scheme, values[one.id], points[one.id], is_from_given
+                        one,
+                        variant.id,
+                        variant.scheme,
+                        values[one.id],
+                        points[one.id],
+                        is_from_given,
                     )
                 )
     return found

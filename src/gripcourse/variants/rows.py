@@ -14,7 +14,6 @@ from gripcourse.machine.enclosed import LONGEST_NAME, is_file_name
 from gripcourse.solver.family import families_of
 from gripcourse.solver.plan import Plan, plan_of
 from gripcourse.text.spelling import plain
-from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.words import LANGUAGES, Message, Texts, message
 from gripcourse.variants.cells import converted, exact_number
 from gripcourse.variants.defaults import Defaults
@@ -22,6 +21,7 @@ from gripcourse.variants.explain import broken_option_rule, explain, with_unit
 from gripcourse.variants.feasible import Reason, judge
 from gripcourse.variants.headings import TableColumn
 from gripcourse.variants.model import Variant
+from gripcourse.variants.named_choices import allowed_names
 from gripcourse.variants.names import without_leading_zeros
 from gripcourse.variants.row_faults import CellFault, RowRefusal, problems_of, refusals_of
 from gripcourse.variants.sheet import Sheet, SheetRow
@@ -39,6 +39,7 @@ class RowReader:
         defaults: what stands for a column that is not there; None where nothing does.
         filled: titles of what the defaults were taken for, by id.
         problems: where everything that is wrong is recorded.
+        language: of the table's titles; empty for ids.
     """
 
     course: Course
@@ -50,6 +51,7 @@ class RowReader:
     filled: dict[str, Texts] = field(default_factory=dict)
     plans: dict[Composition, Plan] = field(default_factory=dict)
     faults: list[CellFault] = field(default_factory=list)
+    language: str = ""
 
     def read(self) -> list[Variant]:
         """Return the variants of all rows that are right."""
@@ -123,7 +125,8 @@ class RowReader:
             if written
             else message("The scheme is missing.")
         )
-        self._add(row, "scheme", what, did_you_mean(written, self.course.schemes))
+        known = ((one.id, one.title) for one in self.course.schemes.values())
+        self._add(row, "scheme", what, allowed_names(written, known, self.language))
         return None
 
     def _options(self, row: SheetRow, scheme: Scheme) -> dict[str, str]:
@@ -144,7 +147,8 @@ class RowReader:
             if written
             else message("The choice is missing.")
         )
-        self._add(row, key, what, did_you_mean(written, (one.id for one in option.choices)))
+        known = ((one.id, one.title) for one in option.choices)
+        self._add(row, key, what, allowed_names(written, known, self.language))
         return None
 
     def _plan(self, scheme: Scheme, options: Mapping[str, str]) -> Plan:
@@ -224,7 +228,7 @@ class RowReader:
                     row,
                     id_,
                     message("The scheme '{scheme}' with these options does not use this.",
-                            scheme=plan.scheme.id),
+                            scheme=plan.scheme.title),
                     message("Clear the cell."),
                 )  # fmt: skip
 

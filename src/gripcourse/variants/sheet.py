@@ -32,6 +32,7 @@ _DELIMITERS = ("\t", ";", ",")
 """In the order in which they are believed: a heading like `mass, kg` may hold a comma."""
 
 _BEGINNING = 1 << 20  # characters in which the first lines are looked for
+_SPREADSHEETS = frozenset({".xlsx", ".xlsm", ".xlsb", ".xls", ".ods", ".numbers"})
 _LAST_HEADING = 20  # row: whatever stands above headings is a title, not a page
 _FEWEST_KNOWN = 2  # headings in a row of headings; a title may be called as one by chance
 _WHOLE_SHARE = 0.5  # of a row's cells that are headings, where it is that row and no title
@@ -97,7 +98,7 @@ class SheetsOfFile:
 
 
 def read_sheet(source: Readable, is_heading: IsHeading = lambda _: False) -> Sheet:
-    """Read a `.csv` or `.xlsx` file; of a spreadsheet the first sheet.
+    """Read a `.csv`, `.xlsx`, `.ods` or `.xls` file; of a spreadsheet the first sheet.
 
     Args:
         source: the file, or its bytes; its name tells what kind of table it is, but a workbook
@@ -126,7 +127,7 @@ def read_sheet(source: Readable, is_heading: IsHeading = lambda _: False) -> She
 
 
 def read_sheets(source: Readable, is_heading: IsHeading) -> SheetsOfFile:
-    """Read all tables of a `.csv` or `.xlsx` file; see `read_sheet`."""
+    """Read all tables of a file; see `read_sheet`."""
     if not (is_there(source) and _is_spreadsheet(source)):
         return SheetsOfFile((read_sheet(source, is_heading),))
     found = _sheets_of(source)
@@ -162,7 +163,7 @@ def column_name(position: int, header: tuple[str, ...]) -> str:
 
 
 def _is_spreadsheet(source: Readable) -> bool:
-    return pure_path(source).suffix.lower() == ".xlsx" or is_workbook(source)
+    return pure_path(source).suffix.lower() in _SPREADSHEETS or is_workbook(source)
 
 
 def _spreadsheet(source: Readable, is_heading: IsHeading) -> Sheet:

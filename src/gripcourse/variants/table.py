@@ -31,6 +31,7 @@ from gripcourse.variants.headings import (
     table_vocabulary,
 )
 from gripcourse.variants.model import Variant
+from gripcourse.variants.named_choices import language_of
 from gripcourse.variants.rows import RowReader
 from gripcourse.variants.sheet import Sheet, read_sheet
 from gripcourse.variants.table_workbook import declared_units, write_table_workbook
@@ -82,7 +83,8 @@ def _read(source: Readable, course: Course, defaults: Defaults | None) -> OwnTab
     problems: list[Problem] = []
     columns = find_columns(sheet, vocabulary, problems)
     absent = _absent_columns(sheet, columns, course, problems, defaults)
-    reader = RowReader(course, sheet, columns, absent, problems, defaults)
+    language = language_of(course, columns)
+    reader = RowReader(course, sheet, columns, absent, problems, defaults, language=language)
     variants = reader.read()
     if not sheet.rows:
         what = message("The table has headings but no variants.")

@@ -4,6 +4,7 @@ import csv
 import io
 import zipfile
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -12,6 +13,7 @@ from gripcourse.course.model import Course
 from gripcourse.errors import UsageError
 from gripcourse.exports.platforms.comment import comment_html
 from gripcourse.exports.platforms.moodle_feedback import feedback_zip
+from gripcourse.exports.platforms.moodle_words import HEADINGS, MoodleColumn
 from gripcourse.exports.platforms.moodle_worksheet import fill_worksheet, read_worksheet
 from gripcourse.exports.platforms.works import GradedWork
 from gripcourse.machine.content import NamedBytes
@@ -214,6 +216,73 @@ def test_a_worksheet_that_says_no_maximum_is_filled_by_our_points_and_that_is_to
 def test_a_scale_of_words_is_refused(works: Works) -> None:
     with pytest.raises(UsageError, match="a scale of words"):
         filled(sheet(EN.replace("100.00", "A B C")), works({ZIP.format(12): "s17"}))
+
+
+SCALE = EN.replace('"Maximum grade"', "Scale").replace("100.00", '"not passed\nGood\nexcellent"')
+
+
+def called(work: GradedWork, scales: dict[str, str], waiting: float = 0.0) -> GradedWork:
+    """The same work as a policy with scales calls it."""
+    return replace(work, report=replace(work.report, scales=scales, open_points=waiting))
+
+
+def test_a_scale_of_words_is_filled_with_the_word_that_the_policy_has_too(works: Works) -> None:
+    (work,) = works({ZIP.format(12): "s17"})
+    found = fill_worksheet(
+        read_worksheet(sheet(SCALE)),
+        [called(work, {"ects": "B", "national": "good", "percent": "81"})],
+        lambda _: "<p>ok</p>",
+    )
+    assert [row["Grade"] for row in rows(found.content)] == ["Good", "", ""]
+    assert (found.filled, found.updates, found.notes) == (1, 1, ())
+
+
+def test_before_all_points_are_given_there_is_no_word(works: Works) -> None:
+    (work,) = works({ZIP.format(12): "s17"})
+    found = fill_worksheet(
+        read_worksheet(sheet(SCALE)), [called(work, {"national": ""}, 8.0)], lambda _: "<p>ok</p>"
+    )
+    assert found.content == sheet(SCALE).data
+    assert "no grade in words" in str(found.notes[0])
+
+
+@pytest.mark.parametrize(
+    "scales", [{}, {"ects": "B"}, {"national": "good", "other": "excellent"}], ids=len
+)
+def test_a_word_that_is_not_certain_is_refused_with_both_scales(
+    works: Works, scales: dict[str, str]
+) -> None:
+    (work,) = works({ZIP.format(12): "s17"})
+    with pytest.raises(UsageError, match="not passed; Good; excellent"):
+        fill_worksheet(read_worksheet(sheet(SCALE)), [called(work, scales)], lambda _: "")
+
+
+MARKING = {
+    "en": ("Marker", "Marking workflow state", "Due date", "Override - Due date"),
+    "ru": ("Оценщик", "Состояние поэтапного оценивания", "Срок сдачи", "Переопределение"),
+    "uk": ("Оцінювач", "Стан оцінювання", "Кінцевий термін", "Перевизначення"),
+}
+OTHERS = ('"Ткач, О. ""Лев"""', '"In marking"', "  -  ", '"<b>a;b\tc</b>"')
+
+
+@pytest.mark.parametrize("separator", [",", ";", "\t"])
+@pytest.mark.parametrize("language", MARKING)
+@pytest.mark.parametrize("number", ["60.25", "60,25"])
+def test_marking_columns_and_every_other_byte_stay_as_they_stood(
+    works: Works, separator: str, language: str, number: str
+) -> None:
+    words = HEADINGS[language]
+    person = {"en": "Participant 12", "ru": "Участник12", "uk": "Учасник12"}[language]
+    head = [words[MoodleColumn.IDENTIFIER], f'"{words[MoodleColumn.NAME]}"', MARKING[language][0]]
+    head += [words[MoodleColumn.GRADE], words[MoodleColumn.MAXIMUM], *MARKING[language][1:]]
+    head += [words[MoodleColumn.GRADED_AT], words[MoodleColumn.COMMENT]]
+    before = [f'"{person}"', '"Ольга Иванова"', OTHERS[0], f'"{number}"', '"100,00"']
+    before += [*OTHERS[1:], "-", '"old, text"']
+    text = separator.join(head) + "\r\n" + separator.join(before) + "\r\n"
+    content = filled(sheet(text), works({ZIP.format(12): "s17"})).decode("utf-8-sig")
+    grade = f"{works({ZIP.format(12): 's17'})[0].share * 100:.2f}"
+    after = [*before[:3], grade, *before[4:-1], "<p>ok</p>"]
+    assert content == separator.join(head) + "\r\n" + separator.join(after) + "\r\n"
 
 
 @pytest.mark.parametrize("maximum", ["nan", "1e999", "0", "-5", "inf"])

@@ -162,12 +162,16 @@ def fill_worksheet(
         if worksheet.cell(cells, MoodleColumn.CHANGEABLE) in NOT_CHANGEABLE:
             notes.append(_locked(work, row))
             continue
-        changed[place] = _filled(worksheet, cells, work, comment(work), row)
+        value = _grade(worksheet, cells, work, row)
+        if not value:
+            notes.append(_waiting(work, row))
+            continue
+        changed[place] = _filled(worksheet, cells, value, comment(work))
         date = worksheet.columns[MoodleColumn.GRADED_AT]
         if changed[place][date].strip() not in _NONE and not _is_readable(changed[place][date]):
             notes.append(_odd_date(work, row, changed[place][date]))
     updates = sum(
-        _number(worksheet.table.rows[place][grade]) != _number(cells[grade])
+        _compared(worksheet.table.rows[place][grade]) != _compared(cells[grade])
         for place, cells in changed.items()
     )
     content = worksheet.table.with_rows(changed)
@@ -203,11 +207,10 @@ def _ambiguous(table: RawTable, heading: str) -> Problem:
 
 
 def _filled(
-    worksheet: Worksheet, cells: Sequence[str], work: GradedWork, comment: str, row: PlatformRow
+    worksheet: Worksheet, cells: Sequence[str], grade: str, comment: str
 ) -> tuple[str, ...]:
     filled = list(cells)
-    maximum = _maximum(worksheet, cells, work, row)
-    filled[worksheet.columns[MoodleColumn.GRADE]] = f"{work.share * maximum:.2f}"
+    filled[worksheet.columns[MoodleColumn.GRADE]] = grade
     if MoodleColumn.COMMENT in worksheet.columns:
         filled[worksheet.columns[MoodleColumn.COMMENT]] = comment
     date = worksheet.columns[MoodleColumn.GRADED_AT]
@@ -216,20 +219,48 @@ def _filled(
     return tuple(filled)
 
 
-def _maximum(
-    worksheet: Worksheet, cells: Sequence[str], work: GradedWork, row: PlatformRow
-) -> float:
-    """Return the points that the platform has for the assignment; without any, our own."""
+def _grade(worksheet: Worksheet, cells: Sequence[str], work: GradedWork, row: PlatformRow) -> str:
+    """Return the grade of a work as the platform counts: points, or a word of its scale.
+
+    Empty where the word waits for a person's points.
+    """
+    words = worksheet.cell(cells, MoodleColumn.SCALE)
+    if words:
+        return _word(words.splitlines(), work, worksheet.table.file, row)
     written = worksheet.cell(cells, MoodleColumn.MAXIMUM)
-    if not written and not worksheet.cell(cells, MoodleColumn.SCALE):
-        return work.total
-    maximum = _number(written)
+    maximum = _number(written) if written else work.total
     if maximum is None or not 0 < maximum < math.inf:
         what = message("The assignment has a scale of words there, no points.")
-        remedy = message("Set the assignment to points in Moodle and export the worksheet again.")
-        place = message("row {row}", row=row.line)
-        raise UsageError([Problem(worksheet.table.file, place, what, remedy)])
-    return maximum
+        raise UsageError([Problem(worksheet.table.file, _row(row), what, _points_instead())])
+    return f"{work.share * maximum:.2f}"
+
+
+def _word(words: Sequence[str], work: GradedWork, file: str, row: PlatformRow) -> str:
+    """Return which word of the platform's scale one of the policy's scales calls a work."""
+    known = {word.strip().casefold(): word.strip() for word in words}
+    scales = work.report.scales
+    found = {known[one.casefold()] for one in scales.values() if one and one.casefold() in known}
+    if len(found) == 1:
+        return found.pop()
+    if not found and scales and work.report.open_points:
+        return ""
+    what = message(
+        "The assignment has a scale of words there: {words}. The policy calls this work {found}.",
+        words="; ".join(known.values()),
+        found="; ".join(filter(None, scales.values())) or "—",
+    )
+    raise UsageError([Problem(file, _row(row), what, _points_instead())])
+
+
+def _row(row: PlatformRow) -> Message:
+    return message("row {row}", row=row.line)
+
+
+def _points_instead() -> Message:
+    return message(
+        "Set the assignment to points in Moodle and export the worksheet again, or declare a scale"
+        " with the same words in the policy."
+    )
 
 
 def _without_maximum(worksheet: Worksheet, matching: Matching) -> Iterator[Message]:
@@ -251,6 +282,12 @@ def _number(written: str) -> float | None:
         return float("".join(written.split()).replace(",", "."))
     except ValueError:
         return None
+
+
+def _compared(written: str) -> float | str:
+    """Return what tells whether a grade is another one: a number, or the word of a scale."""
+    number = _number(written)
+    return written.strip() if number is None else number
 
 
 def _readable_date(written: str, language: str) -> str:
@@ -290,6 +327,15 @@ def _unknown(table: RawTable, column: MoodleColumn) -> Problem:
 def _locked(work: GradedWork, row: PlatformRow) -> Message:
     return message(
         "Row {row}: the grade of {student} cannot be changed in Moodle; it was left alone.",
+        row=row.line,
+        student=work.said,
+    )
+
+
+def _waiting(work: GradedWork, row: PlatformRow) -> Message:
+    return message(
+        "Row {row}: {student} has no grade in words before all points are given; it was left"
+        " alone.",
         row=row.line,
         student=work.said,
     )

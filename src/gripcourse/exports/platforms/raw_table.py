@@ -60,18 +60,31 @@ class RawTable:
         return self.rows[0]
 
     def with_rows(self, changed: Mapping[int, Sequence[str]]) -> bytes:
-        """Return the file with some rows changed, by their place among the records."""
+        """Return the file with some rows changed, by their place among the records.
+
+        A cell that is the same stays as it stood, quoted or not.
+        """
         written = [
-            self._written(changed[place], record) if place in changed else record
+            self._written(changed[place], place) if place in changed else record
             for place, record in enumerate(self.records)
         ]
         return "".join(written).encode(self.encoding, errors="xmlcharrefreplace")
 
-    def _written(self, cells: Sequence[str], record: str) -> str:
+    def _written(self, cells: Sequence[str], place: int) -> str:
+        record, before = self.records[place], self.rows[place]
+        line = record.rstrip(_LINE_ENDS)
+        stood = _as_they_stand(line, self.separator)
+        if len(stood) != len(before):  # a quotation mark amid a cell
+            stood = [self._quoted(cell) for cell in before]
+        pairs = zip(cells, before, stood, strict=True)
+        text = (raw if cell == old else self._quoted(cell) for cell, old, raw in pairs)
+        return self.separator.join(text) + record[len(line) :]
+
+    def _quoted(self, cell: str) -> str:
         stream = io.StringIO(newline="")
-        csv.writer(stream, delimiter=self.separator, lineterminator="").writerow(cells)
-        end = record[len(record.rstrip(_LINE_ENDS)) :]
-        return stream.getvalue() + end
+        # Alone in a row, an empty cell would be quoted.
+        csv.writer(stream, delimiter=self.separator, lineterminator="").writerow((cell, ""))
+        return stream.getvalue().removesuffix(self.separator)
 
 
 def read_raw_table(source: Readable, known: RateHeader) -> RawTable:
@@ -129,6 +142,19 @@ def _within_bounds(data: bytes, file: str, known: RateHeader) -> RawTable:
     if problems:
         raise UsageError(problems)
     return RawTable(file, encoding, separator, records, rows)
+
+
+def _as_they_stand(line: str, separator: str) -> list[str]:
+    """Split a row into its cells with the quotation marks that they stand in."""
+    sign = re.escape(separator)
+    cell = re.compile(rf'(?:"(?:[^"]|"")*")?[^{sign}]*')
+    found, place = [], 0
+    while place <= len(line):
+        one = cell.match(line, place)
+        end = place if one is None else one.end()
+        found.append(line[place:end])
+        place = end + 1
+    return found
 
 
 def _no_text(file: str) -> UsageError:

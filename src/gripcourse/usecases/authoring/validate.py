@@ -290,10 +290,10 @@ def _table_problems(course: Course, policy: Policy) -> list[Problem]:
     """Look into every table: whether it can be read, and whether guessing would pay in it."""
     problems: list[Problem] = []
     for path in sorted((course.root / "variants" / "tables").glob("*.csv")):
+        name = path.relative_to(course.root).as_posix()
         try:
-            problems += paying_rules(course, policy, read_table(path, course))
+            problems += paying_rules(course, policy, read_table(path, course), name)
         except GripcourseError as error:
-            name = path.relative_to(course.root).as_posix()
             problems += [
                 replace(one, file=name) if one.file == str(path) else one for one in error.problems
             ]

@@ -121,10 +121,11 @@ def _student(issued: Issued) -> Student:
 
 
 def missing(reports: Sequence[Report], context: GradingContext) -> tuple[Student, ...]:
-    """Return the students of the register of whom the batch has nothing, by id."""
+    """Return the students of the course of whom the batch has nothing, by id."""
     handed_in = {report.student for report in reports}
     names = sorted(name for name in context.register if name not in handed_in)
-    return tuple(context.register[name].student for name in names)
+    entries = (context.register[name] for name in names)
+    return tuple(one.student for one in entries if not one.left)
 
 
 def json_text(

@@ -16,9 +16,11 @@ from gripcourse.documents.assignment_sheet import STYLES
 from gripcourse.errors import Problem, UsageError
 from gripcourse.gradebook.fingerprint import fingerprints
 from gripcourse.issuing.allotment import Terms, extend
+from gripcourse.issuing.made_ids import Joined
 from gripcourse.issuing.roster import read_roster
 from gripcourse.issuing.signature import KEY_BYTES, key_of, key_path, make_key
 from gripcourse.issuing.store import extend_register, read_register
+from gripcourse.issuing.withdrawal import joined_to
 from gripcourse.machine.alone import writing_into
 from gripcourse.machine.content import Readable
 from gripcourse.machine.database.home import home_of
@@ -80,11 +82,15 @@ class Issuing:
         handouts: one per student.
         notes: for the instructor.
         outdated: students who keep numbers that the table has no longer.
+        left: students of the list who have left the course; they got nothing.
+        in_and_out: see `Extended`.
     """
 
     handouts: tuple[Handout, ...]
     notes: tuple[Message, ...]
     outdated: tuple[str, ...] = ()
+    left: tuple[str, ...] = ()
+    in_and_out: tuple[tuple[str, ...], tuple[str, ...]] = ((), ())
 
 
 def issue_order(  # noqa: PLR0913 (the last two have usual values)
@@ -121,7 +127,10 @@ def issue_order(  # noqa: PLR0913 (the last two have usual values)
         refuse_no_address(course.address)
     before = read_register(course.root, course.id)
     roster = read_roster(
-        order.roster, (entry.student for entry in before.entries), course.languages
+        order.roster,
+        (entry.student for entry in before.entries),
+        course.languages,
+        Joined(before.joined, joined_to(before.withdrawals)),
     )
     students = roster.students
     variants = read_table(order.table, course)
@@ -143,7 +152,8 @@ def issue_order(  # noqa: PLR0913 (the last two have usual values)
         course.root, course.id, lambda register: extend(register, students, variants, terms)
     )
     by_student = extended.register.by_student()
-    entries = [by_student[student.id] for student in students]
+    listed = (by_student[student.id] for student in students)
+    entries = [one for one in listed if not one.left]
     links = links_on_sheets(course, policy, terms.key, order.today, order.link_days)
     context = IssuingContext(course, policy, partial(plan_of, course), order.out, links)
     made_key = _key_notes(course) if known is None else ()
@@ -151,7 +161,7 @@ def issue_order(  # noqa: PLR0913 (the last two have usual values)
     handouts = write_handouts(context, entries, workers, on_done, issue_one)
     fonts = missing_fonts(course.root / TEMPLATES, STYLES)
     notes = (*made_key, *roster.notes, *extended.notes, *fonts)
-    return Issuing(handouts, notes, extended.outdated)
+    return Issuing(handouts, notes, extended.outdated, extended.left, extended.in_and_out)
 
 
 def links_on_sheets(

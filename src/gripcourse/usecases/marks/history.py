@@ -1,6 +1,6 @@
 """What the gradebook knows of one student: every attempt, mark and regrade, in order of time."""
 
-from collections.abc import Callable, Container, Iterator, Mapping, Sequence
+from collections.abc import Callable, Container, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from datetime import datetime
 from itertools import accumulate
@@ -15,6 +15,7 @@ from gripcourse.gradebook.journal import publications, regrades, waivers
 from gripcourse.gradebook.model import Attempt, GradebookEntry, latest_marks
 from gripcourse.gradebook.timing import Waiver
 from gripcourse.gradebook.works import in_order, points_of, works_of
+from gripcourse.issuing.withdrawal import Withdrawal
 from gripcourse.text.shown import shown
 from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.words import Message, message
@@ -45,6 +46,7 @@ def history(
     student: str,
     known: Container[str] = (),
     called: Callable[[str], str] = str,
+    withdrawals: Iterable[Withdrawal] = (),
 ) -> tuple[Event, ...]:
     """Return what happened to a student's grade, oldest first.
 
@@ -53,6 +55,7 @@ def history(
         student: id.
         known: students of the register; of these nothing may have happened yet.
         called: what people call the quantity of an id.
+        withdrawals: of the course.
 
     Raises:
         GradebookError: there is no gradebook, or it cannot be used.
@@ -61,7 +64,8 @@ def history(
     book = existing_gradebook(place)
     attempts = book.attempts({student})
     waived = waivers(book)
-    if not attempts and student not in known and student not in waived:
+    withdrawn = tuple(_of_withdrawals(student, withdrawals))
+    if not (attempts or student in known or student in waived or withdrawn):
         everybody = {one.student for one in book.attempts()}
         what = message("The register has no student '{student}'.", student=student)
         remedy = did_you_mean(student, everybody)
@@ -97,6 +101,7 @@ def history(
         *marks.values(),
         published,
         tuple(map(_of_waiver, waived.get(student, ()))),
+        withdrawn,
     )
 
 
@@ -167,6 +172,27 @@ def _of_waiver(waiver: Waiver) -> Event:
         until = f"{waiver.until:%Y-%m-%d %H:%M}Z"
         what = message("Lateness is not counted until {until}.", until=until)
     return Event(waiver.done_at, waiver.person, what, waiver.why)
+
+
+def _of_withdrawals(student: str, withdrawals: Iterable[Withdrawal]) -> Iterator[Event]:
+    """Yield where a student was withdrawn, joined with another, or another with this one."""
+    standing: dict[str, str] = {}
+    for one in withdrawals:
+        same_as = standing.pop(one.student, "") if one.undone else one.same_as
+        standing[one.student] = one.same_as
+        if student not in {one.student, same_as}:
+            continue
+        if same_as and one.undone:
+            what = message("{student} and {person} are two again.",
+                           student=one.student, person=same_as)  # fmt: skip
+        elif same_as:
+            what = message("{student} was joined with {person}: works of both are those of"
+                           " {person}.", student=one.student, person=same_as)  # fmt: skip
+        elif one.undone:
+            what = message("In the course again.")
+        else:
+            what = message("Left the course.")
+        yield Event(one.at, one.person, what, one.why)
 
 
 def versions_text(attempt: Attempt) -> str:

@@ -1,6 +1,6 @@
 """Marks given by hand: entering one, a whole table, and showing what waits."""
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Container, Mapping, Sequence
 from dataclasses import dataclass
 from datetime import datetime
 from functools import cache
@@ -65,14 +65,19 @@ def existing_gradebook(place: str) -> Gradebook:
     return open_gradebook(place)
 
 
-def what_waits(place: str) -> tuple[Waiting, ...]:
+def what_waits(place: str, joined: Container[str] = ()) -> tuple[Waiting, ...]:
     """Return what waits for a person.
+
+    Args:
+        place: of the gradebook: a path or a database URL.
+        joined: ids that were joined with others', of whom these works are now.
 
     Raises:
         GradebookError: there is no gradebook, or it cannot be used.
     """
     book = existing_gradebook(place)
-    return waiting(book.standing(), book.entries())
+    found = waiting(book.standing(), book.entries())
+    return tuple(one for one in found if one.student not in joined)
 
 
 def item_of(place: str, student: str, quantity: str) -> ItemNow | None:

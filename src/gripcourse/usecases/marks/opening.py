@@ -12,6 +12,7 @@ from gripcourse.course.read import course_id
 from gripcourse.errors import NextStep, Problem, UsageError
 from gripcourse.gradebook.deadlines import course_deadlines
 from gripcourse.grading.path_pattern import path_pattern
+from gripcourse.issuing.register import Register
 from gripcourse.issuing.store import read_register, shelve_register
 from gripcourse.machine.content import Readable
 from gripcourse.machine.office import office_command
@@ -45,7 +46,17 @@ def issued_of(root: Path) -> Mapping[str, Issued]:
         CourseError: its main file cannot be read, or has no id.
         RegisterError: the register cannot be used.
     """
-    return read_register(root, course_id(root)).by_student()
+    return register_of(root).by_student()
+
+
+def register_of(root: Path) -> Register:
+    """Read all that was issued, and who was withdrawn, though the course has problems of its own.
+
+    Raises:
+        CourseError: its main file cannot be read, or has no id.
+        RegisterError: the register cannot be used.
+    """
+    return read_register(root, course_id(root))
 
 
 def grading_of(course: Course, policy: Policy) -> GradingContext:
@@ -63,6 +74,7 @@ def grading_of(course: Course, policy: Policy) -> GradingContext:
         office=office_command(),
         earlier=earlier,
         declared=kept_declarations(course.root, last, chain.from_iterable(earlier.values())),
+        joined=register.joined,
     )
 
 
@@ -91,7 +103,7 @@ def as_wished(
     """
     context = replace(
         context,
-        whose=read_whose(wish.whose, files, context.register),
+        whose=read_whose(wish.whose, files, context.register, context.joined),
         pattern=None if wish.pattern is None else path_pattern(wish.pattern, context.register),
         either_version=wish.either_version,
     )

@@ -142,7 +142,12 @@ def regrade(  # noqa: PLR0913 (the last ones are what everybody leaves as they a
         ),
         strangers=tuple(_strangers(graded, works)),
         failed=tuple(one.report.file for one in graded if not one.report.digest),
-        missing=tuple(work for key, work in works.items() if key not in fresh),
+        missing=tuple(
+            work
+            for key, work in works.items()
+            # Of an id that was joined with another the work is the other's.
+            if key not in fresh and work.student not in context.joined
+        ),
         incidents=tuple(one.incident for one in graded if one.incident),
     )
 

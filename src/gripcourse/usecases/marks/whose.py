@@ -2,14 +2,20 @@
 
 from collections.abc import Container, Iterable, Mapping, Sequence
 from pathlib import PurePath
+from types import MappingProxyType
 
 from gripcourse.errors import Problem, UsageError
 from gripcourse.machine.content import Readable, shown_name
 from gripcourse.text.words import message
 
+_NONE: Mapping[str, str] = MappingProxyType({})
+
 
 def read_whose(
-    written: Iterable[str], files: Sequence[Readable], students: Container[str]
+    written: Iterable[str],
+    files: Sequence[Readable],
+    students: Container[str],
+    joined: Mapping[str, str] = _NONE,
 ) -> Mapping[str, str]:
     """Read decisions that are written as `file=student`.
 
@@ -18,6 +24,7 @@ def read_whose(
             only one file of the batch ends so.
         files: of the batch.
         students: ids of the register.
+        joined: by id that was joined with another's, the id of the student.
 
     Returns:
         The student of each file that is decided, by the whole name of the file.
@@ -32,6 +39,7 @@ def read_whose(
     for one in written:
         # A file may hold an equals sign in its name, an id does not.
         file, _, student = (part.strip() for part in one.rpartition("="))
+        student = joined.get(student, student)
         found = [file] if file in whole else [name for name in names if _ends_so(name, file)]
         if not file or not student:
             what = message("'{text}' is no file with its student.", text=one)

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from gripcourse.course.model import Course
 from gripcourse.errors import Problem
-from gripcourse.machine.content import Readable
+from gripcourse.machine.content import Readable, shown_name
 from gripcourse.machine.files import write_text
 from gripcourse.policy.load import policy_path
 from gripcourse.policy.model import Policy
@@ -86,7 +86,7 @@ def paying(course: Course, policy: Policy, sample: ToleranceSample) -> Paying:
     return Paying(
         costs=tuple(one for one in costs if one.is_main),
         uneven=tuple(one for one in uneven_costs(costs, policy) if not one.is_main),
-        problems=tuple(paying_rules(course, policy, issued)),
+        problems=tuple(paying_rules(course, policy, issued, shown_name(sample.table))),
     )
 
 

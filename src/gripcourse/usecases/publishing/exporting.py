@@ -58,6 +58,7 @@ class Results:
         reports: folder of the students' reports.
         works: that count.
         notes: students of whom no work counts, each with the reason.
+        left: students who are no longer in the course.
     """
 
     course: Course
@@ -66,6 +67,7 @@ class Results:
     reports: Path
     works: tuple[GradedWork, ...]
     notes: tuple[Message, ...]
+    left: frozenset[str] = frozenset()
 
     def report_of(self, work: GradedWork) -> Path | None:
         """Tell where the report of a work lies; None where none tells the points of the grades."""
@@ -102,7 +104,8 @@ def open_results(root: Path, grades: Path) -> Results:
     register = read_register(course.root, course.id).by_student()
     students = {id_: entry.student for id_, entry in register.items()}
     works, notes = works_of(read, students)
-    return Results(course, students, read, grades.parent / REPORTS, works, notes)
+    left = frozenset(id_ for id_, entry in register.items() if entry.left)
+    return Results(course, students, read, grades.parent / REPORTS, works, notes, left)
 
 
 def moodle_files(
@@ -168,7 +171,12 @@ def table_files(results: Results, out: Path, gradebook: str) -> tuple[Path, ...]
         GradebookError: the gradebook is there and cannot be used.
         OSError: nothing can be written there.
     """
-    tables = results_tables(results.grades, results.students) | analysis_tables(results.grades)
+    # Nobody waits for the work of who left; one that was handed in before is told all the same.
+    told = {one.student for one in results.grades.reports}
+    students = {
+        id_: one for id_, one in results.students.items() if {id_} - results.left or id_ in told
+    }
+    tables = results_tables(results.grades, students) | analysis_tables(results.grades)
     if exists(gradebook):
         book = open_gradebook(gradebook)
         tables |= history_tables(book.attempts(), regrades(book))

@@ -10,6 +10,7 @@ from gripcourse.access.desk.store import Desk, open_desk
 from gripcourse.course.load import load_course
 from gripcourse.course.model import Course
 from gripcourse.course.read import course_address, course_id
+from gripcourse.issuing.register import Register
 from gripcourse.issuing.signature import key_path, read_key
 from gripcourse.issuing.store import VerifiedRegister
 from gripcourse.machine.database.home import home_of
@@ -46,6 +47,9 @@ class DeskBooks(Protocol):
     def register(self) -> Mapping[str, Issued]:
         """Return what was issued up to now, by student."""
 
+    def find(self, student: str) -> Issued | None:
+        """Return what was issued to whom an id names, also where it was joined with another's."""
+
     def attempt_rule(self) -> AttemptRule | None:
         """Return which of several works of a student counts; None where no rule says it."""
 
@@ -71,7 +75,14 @@ class KeptBooks:
 
     def register(self) -> Mapping[str, Issued]:
         """Return what was issued up to now, by student."""
-        return VerifiedRegister(self.root, self.course_id, self.desk.engine).read().by_student()
+        return self._read().by_student()
+
+    def find(self, student: str) -> Issued | None:
+        """Return what was issued to whom an id names, also where it was joined with another's."""
+        return self._read().find(student)
+
+    def _read(self) -> Register:
+        return VerifiedRegister(self.root, self.course_id, self.desk.engine).read()
 
     def attempt_rule(self) -> AttemptRule | None:
         """Return which of several works of a student counts; None where no rule says it."""
@@ -116,6 +127,10 @@ class DeskContext:
     def register(self) -> Mapping[str, Issued]:
         """Return what was issued up to now, by student."""
         return self.issued.read().by_student()
+
+    def find(self, student: str) -> Issued | None:
+        """Return what was issued to whom an id names, also where it was joined with another's."""
+        return self.issued.read().find(student)
 
     def attempt_rule(self) -> AttemptRule | None:
         """Return which of several works of a student counts; None where no rule says it."""

@@ -26,7 +26,7 @@ class PersonalLink:
 def make_links(
     context: DeskBooks, address: str, days: int, now: datetime
 ) -> tuple[PersonalLink, ...]:
-    """Make a link for everybody who was issued something; older ones stay good until they end.
+    """Make a link for everybody in the course; older ones stay good until they end.
 
     Args:
         context: of the course.
@@ -42,6 +42,7 @@ def make_links(
     return tuple(
         PersonalLink(issued, f"{base}/s/{token_of(context, student, expires)}/", expires)
         for student, issued in context.register().items()
+        if not issued.left
     )
 
 
@@ -123,7 +124,7 @@ def open_link(context: DeskBooks, token: str, now: datetime) -> Issued | Refused
     refused = refusal_of(link, revoked, now)
     if refused is not None or link is None:
         return refused or Refused.FORGED
-    return context.register().get(link.student, Refused.FORGED)
+    return context.find(link.student) or Refused.FORGED
 
 
 def signed_for(context: DeskBooks, token: str) -> Issued | None:
@@ -132,4 +133,4 @@ def signed_for(context: DeskBooks, token: str) -> Issued | None:
     None for a link without our signature: whoever wrote it is told nothing of anybody.
     """
     link = read_link(token, context.key, context.course_id)
-    return None if link is None else context.register().get(link.student)
+    return None if link is None else context.find(link.student)

@@ -83,8 +83,10 @@ def student_of(context: DeskContext, launch: Launch, now: datetime) -> Issued | 
     found = bond.student if bond is not None else _found(register, launch)
     if isinstance(found, NotTold):
         return _not_told(store, key, launch.person, found, now)
-    if found not in register:
+    issued = context.find(found)
+    if issued is None:
         return _not_told(store, key, launch.person, NotTold.UNKNOWN, now)
+    found = issued.student.id
     if bond is None:
         made = Bond(key.issuer, key.client, key.user, found, "rule", now)
         is_taken = store.bind(made) is not None
@@ -92,7 +94,7 @@ def student_of(context: DeskContext, launch: Launch, now: datetime) -> Issued | 
         is_taken = any(_holds(one, key, found) for one in bonds.values())
     if is_taken:
         return _not_told(store, key, launch.person, NotTold.TAKEN, now)
-    return register[found]
+    return issued
 
 
 def note_place(context: DeskContext, launch: Launch, now: datetime) -> None:

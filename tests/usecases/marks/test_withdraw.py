@@ -1,0 +1,131 @@
+"""What was handed out to who left, or under a second id, is found, judged and remembered."""
+
+import shutil
+from datetime import UTC, datetime
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import pytest
+
+from gripcourse.batch.graded import Graded
+from gripcourse.batch.one_file import grade_file
+from gripcourse.cli.demo.students import correct
+from gripcourse.gradebook.enter import Draft
+from gripcourse.grading.model import KnownBy, Report
+from gripcourse.issuing.withdrawal import Withdrawal
+from gripcourse.machine.database.home import home_of
+from gripcourse.usecases.grading.batch_tables import missing
+from gripcourse.usecases.marks.gradebook import keep
+from gripcourse.usecases.marks.history import history
+from gripcourse.usecases.marks.mark import enter_mark, what_waits
+from gripcourse.usecases.marks.opening import open_grading, register_of
+from gripcourse.usecases.marks.regrade import regrade
+from gripcourse.usecases.marks.withdraw import withdraw
+
+if TYPE_CHECKING:
+    from support.classroom import Classroom
+
+NOW = datetime(2026, 12, 2, 9, tzinfo=UTC)
+
+
+@pytest.fixture
+def root(issued: "Classroom", tmp_path: Path) -> Path:
+    """A course of one's own in which three assignments are handed out."""
+    return shutil.copytree(issued.course.root, tmp_path / "course")
+
+
+@pytest.fixture(scope="module")
+def work(issued: "Classroom", tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The right answers to what was issued to s03, in a file whose name tells nothing."""
+    return issued.hand_in("s03", correct, tmp_path_factory.mktemp("inbox") / "ответы.xlsx")
+
+
+def join(root: Path, *, undo: bool = False) -> list[str]:
+    same_as = "" if undo else "s01"
+    wanted = Withdrawal("s03", same_as, undo, "Сменила фамилию", "Петров", NOW)
+    return [str(one) for one in withdraw(wanted, root, home_of(root))]
+
+
+def graded(root: Path, *files: Path) -> list[Report]:
+    context = open_grading(root)
+    reports = [Graded(grade_file(one, context), "") for one in files]
+    return [one.report for one in keep(reports, context, home_of(root), NOW)]
+
+
+def test_a_work_on_the_second_sheet_is_the_persons_and_is_judged_by_that_sheet(
+    root: Path, work: Path
+) -> None:
+    (alone,) = graded(root, work)
+    join(root)
+    (report,) = graded(root, work)
+    assert (report.student, report.known_by, report.flags) == ("s01", KnownBy.SIGNATURE, ())
+    assert report.variant == register_of(root).versions()["s01"][0].variant.id == alone.variant
+    assert report.score == alone.score > 0
+    assert "issued to s03, which was joined with s01" in str(report.remarks[0])
+    assert {one.id for one in missing([report], open_grading(root))} == {"s02"}
+
+
+def test_a_work_on_the_first_sheet_is_judged_as_ever(
+    issued: "Classroom", root: Path, tmp_path: Path
+) -> None:
+    join(root)
+    (report,) = graded(root, issued.hand_in("s01", correct, tmp_path / "a.xlsx"))
+    assert (report.student, report.variant) == ("s01", "001")
+    assert (report.flags, report.remarks) == ((), ())
+
+
+def test_a_path_with_the_second_id_names_the_person(root: Path, work: Path, tmp_path: Path) -> None:
+    join(root)
+    path = tmp_path / "s03.xlsx"
+    shutil.copy(work, path)
+    assert graded(root, path)[0].student == "s01"
+    path = tmp_path / "s02.xlsx"
+    shutil.copy(work, path)
+    assert "that of s01" in str(graded(root, path)[0].flags[0].message)
+
+
+def test_nothing_waits_twice_and_nothing_is_missed_of_what_was_graded_before(
+    root: Path, work: Path
+) -> None:
+    graded(root, work)
+    join(root)
+    graded(root, work)
+    context = open_grading(root)
+    waits = what_waits(home_of(root), context.joined)
+    assert {one.student for one in waits} == {"s01"}
+    found = regrade([work], context, home_of(root), 0, NOW)
+    assert ([one.work.student for one in found.changes], found.missing) == (["s01"], ())
+
+
+def test_marks_by_hand_that_have_to_be_given_again_are_counted(root: Path, work: Path) -> None:
+    assert len(join(root)) == 1
+    join(root, undo=True)
+    graded(root, work)
+    draft = Draft("s03", "general_view_drawing", {"sizes": 1.0, "assembly": 1.0, "standards": 1.0})
+    enter_mark(draft, open_grading(root), home_of(root), "Петров", NOW)
+    _, note = join(root)
+    assert note.startswith("1 mark by hand was given to s03")
+
+
+def test_the_history_of_both_tells_it(root: Path, work: Path) -> None:
+    graded(root, work)
+    join(root)
+    join(root, undo=True)
+    register = register_of(root)
+    for student in ("s01", "s03"):
+        events = history(
+            home_of(root), student, register.by_student(), withdrawals=register.withdrawals
+        )
+        told = [str(one.what) for one in events if one.why == "Сменила фамилию"]
+        assert told == [
+            "s03 was joined with s01: works of both are those of s01.",
+            "s03 and s01 are two again.",
+        ]
+
+
+def test_nobody_waits_for_who_left_but_the_work_is_graded(root: Path, work: Path) -> None:
+    wanted = Withdrawal("s03", "", False, "Отчислена", "Петров", NOW)
+    withdraw(wanted, root, home_of(root))
+    assert {one.id for one in missing([], open_grading(root))} == {"s01", "s02"}
+    (report,) = graded(root, work)
+    assert (report.student, report.judged) == ("s03", True)
