@@ -30,15 +30,16 @@ def held_by_friction(n: Notebook, model: str, jaws: int) -> None:
         n["carrying_face_force"] = load / 2 / (cosine(half) + friction * sine(half))
         n["grip_force"] = n["carrying_face_force"] * (sine(half) - friction * cosine(half))
         return
-    # Each jaw pushes with F; all its faces together press harder: F over the sine of the half angle.
-    n["grip_force"] = load * face_sine(n, model) / (jaws * n["friction"])
+    prisms = model == "prism_along" or n.sheet.scheme == "prism_lever"
+    n["grip_force"] = load * (prism_share(n) if prisms else 1.0) / (jaws * n["friction"])
 
 
-def face_sine(n: Notebook, model: str) -> float:
-    """Return the sine of the angle between a face and the bisector of its prism; 1 without."""
+def prism_share(n: Notebook) -> float:
+    """Return the force of a prism across the axis over the sum of its faces' normal forces."""
     if n.sheet.scheme == "prism_lever":
-        return sine(n["prism_angle"] / 2)
-    return sine(n["jaw_angle"]) if model == "prism_along" else 1.0
+        # N1 = F·sin(δ + ε)/sin α and N2 = F·sin(δ - ε)/sin α add up to F·cos ε/sin(α/2).
+        return sine(n["prism_angle"] / 2) / cosine(n["prism_tilt"])
+    return sine(n["jaw_angle"])
 
 
 def contact_load(n: Notebook, model: str) -> None:
@@ -128,7 +129,9 @@ def fingers(n: Notebook) -> None:
     phi = {i: n[f"contact_angle_{i}"] for i in (1, 2, 3, 4)}
     pushed = {i: n[f"contact_axial_{i}"] * (sine(phi[i]) - f * cosine(phi[i])) for i in (1, 2)}
     across = {i: n[f"contact_binormal_{i}"] * sine(phi[i]) for i in phi}
-    from_normal = {i: n[f"contact_normal_{i}"] * (sine(phi[i]) + f * cosine(phi[i])) for i in (1, 3)}
+    from_normal = {
+        i: n[f"contact_normal_{i}"] * (sine(phi[i]) + f * cosine(phi[i])) for i in (1, 3)
+    }
     n["finger_opening_right"] = pushed[1] + sum(from_normal.values()) + across[1] + across[3]
     n["finger_opening_left"] = pushed[2] + across[2] + across[4]
     n["finger_pull_right"] = n["contact_axial_1"] * (cosine(phi[1]) + f * sine(phi[1]))
@@ -178,8 +181,9 @@ def elements(n: Notebook) -> None:
         n["element_force"] = load / count
         n["element_moment"] = n["element_force"] * n["load_overhang"] / 1000
     elif position == "friction_pair":
-        model = n.option("grip_model")
-        n["element_force"] = load * face_sine(n, model) / (2 * n["friction"])
+        # Both faces of a prism that turns with its lever are asked for as one force across the axis.
+        across = prism_share(n) if n.sheet.scheme == "prism_lever" else 1.0
+        n["element_force"] = load * across / (2 * n["friction"])
     elif position:
         span, centre = n["pair_spacing"], n["centre_distance"]
         outside = 1 if position in {"pairs_beyond", "wide_pair"} else -1

@@ -116,9 +116,7 @@ def iron(n: Notebook) -> None:
     n["yoke_height_required"] = flux / n["core_diameter"]
     n.choose("yoke_height", "Ra20", n["yoke_height_required"])
     n["core_length"] = 1.1 * n["coil_height"]
-    n["iron_path_actual"] = (
-        2 * n["core_length"] + n["yoke_height"] + 2 * n["pole_spacing"]
-    )
+    n["iron_path_actual"] = 2 * n["core_length"] + n["yoke_height"] + 2 * n["pole_spacing"]
     n["plate_thickness_required"] = flux / (pi * n["core_diameter"] / 2)
     thick = n["object_thickness"] / n["plate_thickness_required"]
     n["plate_ok"] = thick >= 1

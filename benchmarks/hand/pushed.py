@@ -164,9 +164,7 @@ def link_lever(n: Notebook) -> None:
     n["mechanism_length"] = ahead(n) + n["crosshead_distance_open"] + 1.5 * n["pin_diameter"]
     open_width = n["diameter_max"] + 2 * n["release_travel"]
     arms = 2 * (n["pivot_offset"] - arm * sine(turned["at_min"]))
-    n["overall_width"] = max(
-        open_width + 3 * n["lever_thickness"], arms + n["lever_thickness"]
-    )
+    n["overall_width"] = max(open_width + 3 * n["lever_thickness"], arms + n["lever_thickness"])
     overall(n)
     mount(n)
 
@@ -208,9 +206,7 @@ def wedge_roller(n: Notebook) -> None:
     n["wedge_thickness"] = 2 * (y - n["roller_diameter"] / 2 * cosine(theta))
     n["mechanism_length"] = ahead(n) - open_x + n["roller_diameter"] + n["stroke_required"]
     open_width = n["diameter_max"] + 2 * n["release_travel"]
-    n["overall_width"] = max(
-        open_width + 2 * n["lever_thickness"], 2 * y + n["roller_diameter"]
-    )
+    n["overall_width"] = max(open_width + 2 * n["lever_thickness"], 2 * y + n["roller_diameter"])
     overall(n)
     mount(n)
 

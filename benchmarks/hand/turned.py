@@ -66,9 +66,7 @@ def first_thread(n: Notebook) -> None:
 
 def accepted_thread(n: Notebook) -> None:
     """Choose the thread that carries strength too, and read its row."""
-    by_core = n.row_not_below(
-        _THREADS, "core diameter", n["core_diameter_required"], "diameter d"
-    )
+    by_core = n.row_not_below(_THREADS, "core diameter", n["core_diameter_required"], "diameter d")
     n["thread_diameter"] = max(by_core, n["thread_diameter_first"])
     for name, column in (
         ("thread_pitch", "pitch P"),
@@ -162,11 +160,8 @@ def worm_drive(n: Notebook) -> None:
     n["mechanism_efficiency"] = tangent(lead) / tangent(lead + angle)
     swing = n["grip_arm_tilt_open"] - n["grip_arm_tilt_at_min"]
     n["shaft_turns"] = swing / 360 * n["worm_ratio"]
-    # A jaw is fastest where its lever is nearest to the axis' direction.
-    low, high = n["grip_arm_tilt_at_min"], n["grip_arm_tilt_open"]
-    nearest = min(max(low, 0.0), high)
-    turning = radians(swing) / n["closing_time"]
-    n["jaw_speed"] = turning * n["grip_arm"] * cosine(nearest)
+    turning = radians(swing) / n["closing_time"] * n["worm_ratio"]  # of the worm, rad/s
+    n["jaw_speed"] = turning * n["velocity_ratio"]
     lossless = n["grip_force"] * n["torque_ratio"] / 1000
     n["drive_torque"] = lossless / n["mechanism_efficiency"]
     n["brake_torque"] = backwards(lossless, lead, angle)

@@ -124,6 +124,9 @@ def _quantity_left_out(around: Surroundings) -> Iterator[Rewritten]:
 
 def _factor_left_out(around: Surroundings) -> Iterator[Rewritten]:
     def plain(node: Node) -> Mapping[str, Place] | None:
+        match node:
+            case Call("sin" | "cos" | "tan") | Operation("**", Call("sin" | "cos" | "tan"), _):
+                return {"quantity": node}
         quantity = around.dimensionless(node)
         return None if quantity is None else {"quantity": quantity}
 
