@@ -2,16 +2,16 @@
 
     python benchmarks/by_hand.py [scheme ...] [--count 5] [--seed 271828] [--mistakes]
 
-Variants of each scheme are drawn with the seed and issued; a student's arithmetic (the folder `hand`,
-which uses nothing of the solver and its formulas) reads the workbooks, computes, rounds to five
-figures, goes on with what it wrote, and hands in; the course grades. A line says how many answers of
-a scheme had full points, none, and a part of them. Exit status 1: some answer was not paid in full.
+Variants of each scheme are drawn with the seed and issued; a student's arithmetic (the folder
+`hand`, which uses nothing of the solver and its formulas) reads the workbooks, computes, rounds to
+five figures, goes on with what it wrote, and hands in; the course grades. A line says how many
+answers of a scheme had full points, none, and a part of them. Exit status 1: some had not all.
 
 With `--mistakes` each work has one mistake, made in one step (or the same way in several steps that
-are alike) and carried on. A line of each mistake: works; charged once, where it was made; charged
-elsewhere or more than once; works that lost nothing, since the mistake changes less than the band or
-ends in a size that does; named; and the names given. Works that a mistake leads to where no size or
-no angle is left are not handed in.
+are alike) and carried on. A line of each says how many works paid for it once, where it was made;
+how many paid elsewhere or more than once; in how many it is accepted as an erratum of the sources,
+another reading, or a sound size; in how many it is named, and how. Works in which it changes less
+than twice the band of every answer, or leads to where no size or angle is left, are not handed in.
 """
 
 import argparse
@@ -24,10 +24,11 @@ from datetime import date
 from pathlib import Path
 from time import process_time
 
-from hand.mistakes import Mistake, mistakes_of
+from hand.mistakes import mistakes_of
 from hand.notebook import Notebook
 from hand.schemes import SCHEMES
 from hand.sheet import Sheet, fill_in, read_sheet
+from hand.wrong import Mistake
 
 from gripcourse.batch.one_file import GradingContext, grade_file
 from gripcourse.course.load import load_course
@@ -41,6 +42,7 @@ from gripcourse.workbook.write import answer_workbook
 
 ROOT = Path(__file__).parents[1]
 _UNSIGNED = "0" * 64
+_SEEN = 0.02  # twice the band of most answers: of less no examiner can tell that it is no rounding
 
 
 @dataclass(frozen=True)
@@ -98,7 +100,7 @@ def solve(handout: Handout, mistake: Mistake | None = None) -> Notebook:
     """Solve a sheet; with a mistake, if one is named.
 
     Raises:
-        ValueError, StopIteration, ZeroDivisionError: a mistake leads to where nothing can be computed.
+        ValueError, StopIteration, ZeroDivisionError: a mistake leads to where no angle or size is.
     """
     notebook = Notebook(handout.sheet, mistake.steps if mistake else {})
     SCHEMES[handout.sheet.scheme](notebook)
@@ -128,8 +130,8 @@ def tally_of_solutions(handouts: Mapping[str, Sequence[Handout]], folder: Path) 
         sums += counts
         for one in found:
             if paid(one) != "right":
-                said = one.message.text if hasattr(one.message, "text") else one.outcome
-                print(f"    {one.quantity}: typed {one.typed}, expected {one.expected}: {said}")
+                said = f"typed {one.typed}, expected {one.expected}"
+                print(f"    {one.quantity}: {said}, {one.slip or one.outcome}")
     print(line_of_solutions("all", sum(map(len, handouts.values())), sums))
     return sums.total() - sums["right"]
 
@@ -151,28 +153,37 @@ def paid(finding: Finding) -> str:
 
 
 def tally_of_mistakes(handouts: Mapping[str, Sequence[Handout]], folder: Path) -> int:
-    """Print a line for each mistake of each scheme; return how many works paid otherwise."""
-    print(f"{'':64} works  once  more  none named  names")
+    """Print a line for each mistake of each scheme; return how many works paid more than once."""
+    print(f"{'':62} works  once  more  none named  names")
     sums = Counter[str]()
     for scheme, given in handouts.items():
         print(scheme)
+        right = [solve(one) for one in given]
+        of_scheme = Counter[str]()
         for mistake in mistakes_of(scheme):
             counts, names = Counter[str](), Counter[str]()
-            for handout in given:
-                if not mistake.steps.keys() & handout.sheet.asked:
-                    continue
-                try:
-                    notebook = solve(handout, mistake)
-                except (ValueError, StopIteration, ZeroDivisionError):
-                    counts["given up"] += 1
-                    continue
-                judge(mistake, hand_in(handout, notebook, folder), counts, names)
+            for handout, solved in zip(given, right, strict=True):
+                notebook = mistaken(handout, mistake, solved)
+                if notebook is not None:
+                    judge(mistake, hand_in(handout, notebook, folder), counts, names)
             if counts["works"]:
                 print(line_of_mistakes(f"  {mistake.what}", counts, names))
-            sums += counts
+            of_scheme += counts
+        print(line_of_mistakes(f"{scheme}, all", of_scheme, Counter()))
+        sums += of_scheme
     print(line_of_mistakes("all", sums, Counter()))
-    print(f"works that could not be finished: {sums['given up']}")
     return sums["more"]
+
+
+def mistaken(handout: Handout, mistake: Mistake, right: Notebook) -> Notebook | None:
+    """Return a solution with a mistake; None where it cannot be seen, or nothing follows."""
+    try:
+        notebook = solve(handout, mistake)
+    except (ValueError, StopIteration, ZeroDivisionError):
+        return None
+    made = mistake.steps.keys() & notebook.written.keys() & handout.sheet.asked
+    changed = any(abs(notebook[one] - right[one]) > _SEEN * abs(right[one]) for one in made)
+    return notebook if changed else None
 
 
 def judge(
@@ -184,24 +195,21 @@ def judge(
     if not charged:
         counts["none"] += 1
         return
-    once = len(charged) == 1 and charged[0].quantity in mistake.steps
-    counts["once" if once else "more"] += 1
     roots = [one for one in charged if one.quantity in mistake.steps]
+    once = len(charged) == 1 and bool(roots)
+    counts["once" if once else "more"] += 1
     slips = [one.slip for one in roots if one.slip is not None]
     counts["named"] += bool(slips)
-    for one in slips[:1]:
-        names[str(one)] += 1
+    names.update(str(one) for one in slips[:1])
     if not once:
-        others = [one.quantity for one in charged if one not in roots[:1]]
-        names[f"also charged: {', '.join(others)}"] += 1
+        names[f"also {', '.join(one.quantity for one in charged if one not in roots[:1])}"] += 1
 
 
 def line_of_mistakes(title: str, counts: Counter[str], names: Counter[str]) -> str:
     """Return a line of the table of mistakes."""
     said = "; ".join(f"{name} {count}" for name, count in names.most_common(3))
-    return f"{title:64} {counts['works']:5d} {counts['once']:5d} {counts['more']:5d}" + (
-        f" {counts['none']:5d} {counts['named']:5d}  {said}"
-    )
+    numbers = " ".join(f"{counts[one]:5d}" for one in ("works", "once", "more", "none", "named"))
+    return f"{title:62} {numbers}  {said}".rstrip()
 
 
 if __name__ == "__main__":

@@ -112,5 +112,5 @@ def motor(n: Notebook, friction_angle: float) -> None:
 
 
 def backwards(forward: float, lead: float, friction_angle: float) -> float:
-    """Return the torque that the load turns back with, of the one that would be without friction."""
+    """Return the torque that a load turns back with, of the one that it takes without friction."""
     return max(forward * tangent(lead - friction_angle) / tangent(lead), 0.0)

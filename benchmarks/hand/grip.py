@@ -1,4 +1,4 @@
-"""The load on the jaws, the forces at the points of contact, and the force that holds the object."""
+"""The load on the jaws, the forces at the points of contact, and the force of the grip."""
 
 from math import hypot, sqrt
 
@@ -117,7 +117,7 @@ def contact_points(n: Notebook) -> None:
 def shared(load: float, useful: list[float], idle: list[float]) -> tuple[float, float]:
     """Share a load among two points whose idle parts balance each other."""
     (u1, u2), (i1, i2) = useful, idle
-    if abs(u1 - u2) + abs(i1 - i2) < 1e-12:  # alike: halves, also where the idle parts are nothing
+    if (u1, i1) == (u2, i2):  # alike: halves, also where the idle parts are nothing
         return load / (2 * u1), load / (2 * u2)
     both = u1 * i2 + u2 * i1
     return load * i2 / both, load * i1 / both
@@ -161,8 +161,7 @@ def about_the_pivot(n: Notebook, side: str) -> float:
     for point, sign in ((ahead, 1), (behind, -1)):
         phi = n[f"contact_angle_{point}"]
         axial, normal, binormal = (
-            n[f"contact_{part}_{point}"] if f"contact_{part}_{point}" in n else 0.0
-            for part in ("axial", "normal", "binormal")
+            n.get(f"contact_{part}_{point}", 0.0) for part in ("axial", "normal", "binormal")
         )
         out = axial * (sine(phi) - f * cosine(phi)) + normal * (sine(phi) + f * cosine(phi))
         out += binormal * sine(phi)
@@ -181,7 +180,7 @@ def elements(n: Notebook) -> None:
         n["element_force"] = load / count
         n["element_moment"] = n["element_force"] * n["load_overhang"] / 1000
     elif position == "friction_pair":
-        # Both faces of a prism that turns with its lever are asked for as one force across the axis.
+        # Of prisms on levers the force across the axis is asked for, not those of their faces.
         across = prism_share(n) if n.sheet.scheme == "prism_lever" else 1.0
         n["element_force"] = load * across / (2 * n["friction"])
     elif position:

@@ -14,7 +14,7 @@ def electromagnet(n: Notebook) -> None:
     sheared = n.option("load_case") == "shear"
     pressed = n["lifting_load"] / (n["friction"] if sheared else 1.0)
     n["holding_force"] = n["safety_factor"] * pressed
-    poles(n, sheared)
+    poles(n)
     winding(n)
     heat(n)
     force(n)
@@ -35,7 +35,7 @@ def electromagnet(n: Notebook) -> None:
     flange(n)
 
 
-def poles(n: Notebook, sheared: bool) -> None:
+def poles(n: Notebook) -> None:
     """Size the cores as if all poles bore the same, then by the most loaded one."""
     n["pole_count"] = 2 * n["magnet_count"]
     n["magnet_pitch"] = n["object_length"] / n["magnet_count"]
@@ -57,8 +57,8 @@ def poles(n: Notebook, sheared: bool) -> None:
     half = n["pole_spacing"] / 2
     squares = sum((one + side) ** 2 for one in middles for side in (half, -half))
     n["pole_square_sum"] = squares / 1e6
-    tilted = 0 if sheared else n["load_offset"] * n["outer_pole_x"] / squares
-    n["pole_share"] = 1 / n["pole_count"] + tilted
+    # Pulled off, the beam tilts; along the faces the load turns the plate about the axis.
+    n["pole_share"] = 1 / n["pole_count"] + n["load_offset"] * n["outer_pole_x"] / squares
     n["pole_demand"] = n["holding_force"] * n["pole_share"]
     n["pole_ok"] = n["pole_force_first"] >= n["pole_demand"]
     larger = first * sqrt(n["pole_demand"] / n["pole_force_first"])

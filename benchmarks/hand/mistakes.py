@@ -3,8 +3,9 @@
 from math import pi, sqrt
 from typing import Final
 
+from hand.mistakes_fingers import LINKS, WEDGES
 from hand.mistakes_frames import MAGNET, VACUUM
-from hand.mistakes_pushed import LINKS, PRISMS, ROCKERS, SLOTS, WEDGES
+from hand.mistakes_pushed import PRISMS, ROCKERS, SLOTS
 from hand.mistakes_turned import SCREW, WORM
 from hand.notebook import Notebook, cosine, sine
 from hand.wrong import Mistake, mistake, row_below, times
@@ -12,9 +13,7 @@ from hand.wrong import Mistake, mistake, row_below, times
 _GRIP: Final = (
     mistake(
         "grip: one jaw holds all",
-        grip_force=lambda n, right: (
-            right * (2 if n.option("grip_model") in {"", "friction"} else 1)
-        ),
+        grip_force=lambda n, right: right * _jaws(n),
     ),
     mistake("grip: K or K_s left out", grip_force=lambda n, right: right / _factor(n)),
     mistake(
@@ -24,7 +23,7 @@ _GRIP: Final = (
     ),
     mistake(
         "grip: the safety factor twice",
-        grip_force=lambda n, right: right * (n["safety_factor"] if "safety_factor" in n else 1.0),
+        grip_force=lambda n, right: right * n.get("safety_factor", 1.0),
     ),
     mistake(
         "grip: weight without inertia",
@@ -72,7 +71,7 @@ _JAWS: Final = (
     mistake(
         "jaws: root of the contact stress left out",
         contact_stress=lambda n, right: (
-            right**2 if n.option("jaw_shape") != "crossed" else right**3
+            right**3 / n["contact_factor"] ** 2 if "contact_factor" in n else right**2 / 0.418
         ),
     ),
     mistake(
@@ -81,7 +80,7 @@ _JAWS: Final = (
     ),
     mistake(
         "jaws: diameter for the radius of curvature",
-        reduced_radius=lambda n, right: 2 * right,
+        reduced_radius=times(2),
     ),
 )
 
@@ -164,3 +163,10 @@ def _factor(n: Notebook) -> float:
     """Return the factor that a grip force has beside the load."""
     name = "safety_factor" if n.option("grip_model").startswith("contact") else "dynamic_factor"
     return n[name]
+
+
+def _jaws(n: Notebook) -> float:
+    """Return how many jaws hold by friction; 1 where other models count otherwise."""
+    if n.option("grip_model") not in {"", "friction", "prism_along"}:
+        return 1.0
+    return n.get("finger_count", 2.0)

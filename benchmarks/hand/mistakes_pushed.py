@@ -3,15 +3,14 @@
 from typing import Final
 
 from hand.notebook import Notebook, arcsine, arctangent, cosine, sine, tangent
+from hand.pushed import radius_of
 from hand.wrong import ENDS, POSITIONS, Mistake, alike, mistake, times
 
 
-def _radius(n: Notebook, end: str) -> float:
-    return {
-        "open": n["diameter_max"] / 2 + n["release_travel"],
-        "at_max": n["diameter_max"] / 2,
-        "at_min": n["diameter_min"] / 2,
-    }[end]
+def _whole(n: Notebook, end: str) -> float:
+    """Return what stands in the place of a jaw's radius where the diameter is not halved."""
+    half = n["diameter_min"] / 2 if end == "at_min" else n["diameter_max"] / 2
+    return radius_of(n, end) + half
 
 
 def _rocker_ratio(n: Notebook, end: str) -> float:
@@ -44,13 +43,13 @@ ROCKERS: Final[tuple[Mistake, ...]] = (
         "arcsine for the arctangent of the slot",
         "rocker_angle",
         POSITIONS,
-        lambda n, end: arcsine((_radius(n, end) - n["pivot_offset"]) / n["guide_offset"]),
+        lambda n, end: arcsine((radius_of(n, end) - n["pivot_offset"]) / n["guide_offset"]),
     ),
     alike(
         "diameter for the radius in the slot's angle",
         "rocker_angle",
         POSITIONS,
-        lambda n, end: arctangent((2 * _radius(n, end) - n["pivot_offset"]) / n["guide_offset"]),
+        lambda n, end: arctangent((_whole(n, end) - n["pivot_offset"]) / n["guide_offset"]),
     ),
     mistake("offset of the jaw left out", pivot_offset=lambda n, _: n["pivot_spacing"] / 2),
     mistake(
@@ -78,7 +77,7 @@ ROCKERS: Final[tuple[Mistake, ...]] = (
     mistake("whole drive force on the pivot", joint_force_x=lambda n, _: n["drive_force"]),
 )
 
-_SUM = "forces on the pivot added as numbers"
+ADDED = "forces on the pivot added as numbers"
 
 
 def _bell_crank(n: Notebook, end: str) -> float:
@@ -109,11 +108,17 @@ SLOTS: Final[tuple[Mistake, ...]] = (
         "arctangent for the arcsine",
         "grip_arm_tilt",
         POSITIONS,
-        lambda n, end: arctangent((_radius(n, end) - n["pivot_offset"]) / n["grip_arm"]),
+        lambda n, end: arctangent((radius_of(n, end) - n["pivot_offset"]) / n["grip_arm"]),
+    ),
+    alike(
+        "diameter for the radius in the tilt",
+        "grip_arm_tilt",
+        POSITIONS,
+        lambda n, end: arcsine((_whole(n, end) - n["pivot_offset"]) / n["grip_arm"]),
     ),
     mistake("offset of the jaw left out", pivot_offset=lambda n, _: n["pivot_spacing"] / 2),
     mistake("whole drive force at one slot", slot_force=times(2)),
-    mistake(_SUM, joint_force=lambda n, _: n["joint_force_x"] + n["joint_force_y"]),
+    mistake(ADDED, joint_force=lambda n, _: n["joint_force_x"] + n["joint_force_y"]),
     mistake(
         "sines for cosines in the stroke",
         stroke_required=lambda n, _: (
@@ -126,142 +131,6 @@ SLOTS: Final[tuple[Mistake, ...]] = (
         lever_bending_moment=lambda n, _: n["grip_force"] * n["grip_arm"] / 1000,
     ),
 )
-
-LINKS: Final[tuple[Mistake, ...]] = (
-    alike(
-        "two fingers in the ratio", "force_ratio", ENDS, lambda n, end: _link_ratio(n, end) * 2 / 3
-    ),
-    alike(
-        "tilts left out of the ratio",
-        "force_ratio",
-        ENDS,
-        lambda n, end: 3 * n["grip_arm"] / n["drive_arm"] * tangent(n[f"link_angle_{end}"]),
-    ),
-    alike(
-        "arcsine for the arccosine of the link",
-        "link_angle",
-        POSITIONS,
-        lambda n, end: arcsine(_link_across(n, end) / n["link_length"]),
-    ),
-    alike(
-        "crosshead's offset left out",
-        "link_angle",
-        POSITIONS,
-        lambda n, end: (
-            90 - arcsine((_link_across(n, end) + n["crosshead_offset"]) / n["link_length"])
-        ),
-    ),
-    alike(
-        "arctangent for the arcsine of the tilt",
-        "grip_arm_tilt",
-        POSITIONS,
-        lambda n, end: arctangent((_radius(n, end) - n["pivot_offset"]) / n["grip_arm"]),
-    ),
-    alike(
-        "arm left out of the crosshead's distance",
-        "crosshead_distance",
-        ("open", "at_min"),
-        lambda n, end: n["link_length"] * sine(n[f"link_angle_{end}"]),
-    ),
-    mistake(
-        "tilt of the grip arm left out of the link's force",
-        link_force=lambda n, right: right / cosine(n["grip_arm_tilt_at_max"]),
-        link_force_at_min=lambda n, right: right / cosine(n["grip_arm_tilt_at_min"]),
-    ),
-    mistake(
-        "grip force left out across the pivot",
-        joint_force_y=lambda n, right: right - n["grip_force"],
-    ),
-    mistake(
-        "forces on the pivot added as numbers (both ends)",
-        joint_force_at_max=lambda n, _: n["joint_force_x"] + n["joint_force_y"],
-        joint_force_at_min=lambda n, _: (
-            n["grip_force"]
-            + n["link_force_at_min"]
-            * (sine(n["link_angle_at_min"]) + cosine(n["link_angle_at_min"]))
-        ),
-    ),
-    mistake("two jaws share by friction", grip_force=times(1.5)),
-)
-
-
-def _link_across(n: Notebook, end: str) -> float:
-    """Return how far the end of the drive arm stands from the crosshead's pin, across the axis."""
-    turned = n["drive_arm_tilt"] + n[f"grip_arm_tilt_{end}"]
-    return n["pivot_offset"] - n["drive_arm"] * sine(turned) - n["crosshead_offset"]
-
-
-def _link_ratio(n: Notebook, end: str) -> float:
-    gamma, turned = n[f"link_angle_{end}"], n["drive_arm_tilt"] + n[f"grip_arm_tilt_{end}"]
-    jaw = n["grip_arm"] * cosine(n[f"grip_arm_tilt_{end}"])
-    return 3 * jaw * sine(gamma) / (n["drive_arm"] * cosine(gamma + turned))
-
-
-def _wedge_ratio(n: Notebook, end: str, rho: float, fingers: float = 3) -> float:
-    angle = n["wedge_angle"] + rho
-    turned = n["roller_arm_tilt"] + n[f"grip_arm_tilt_{end}"]
-    jaw = n["grip_arm"] * cosine(n[f"grip_arm_tilt_{end}"])
-    return fingers * jaw * sine(angle) / (n["roller_arm"] * cosine(angle + turned))
-
-
-WEDGES: Final[tuple[Mistake, ...]] = (
-    alike(
-        "friction of the wedge left out of the ratio",
-        "force_ratio",
-        ENDS,
-        lambda n, end: _wedge_ratio(n, end, 0.0),
-    ),
-    alike(
-        "two rollers in the ratio",
-        "force_ratio",
-        ENDS,
-        lambda n, end: _wedge_ratio(n, end, n["friction_angle"], 2),
-    ),
-    alike(
-        "tilts left out of the ratio",
-        "force_ratio",
-        ENDS,
-        lambda n, _: (
-            3 * n["grip_arm"] / n["roller_arm"] * tangent(n["wedge_angle"] + n["friction_angle"])
-        ),
-    ),
-    alike(
-        "arctangent for the arcsine of the tilt",
-        "grip_arm_tilt",
-        POSITIONS,
-        lambda n, end: arctangent((_radius(n, end) - n["pivot_offset"]) / n["grip_arm"]),
-    ),
-    mistake(
-        "friction in the velocity ratio", velocity_ratio=lambda n, _: n["force_ratio_at_max"] / 3
-    ),
-    mistake("efficiency of the wedge turned over", wedge_efficiency=lambda _, right: 1 / right),
-    mistake(
-        "stroke by the way across alone",
-        stroke_required=lambda n, _: n["roller_arm"] * (_rise(n)) / tangent(n["wedge_angle"]),
-    ),
-    mistake(
-        "tangent multiplied in the stroke",
-        stroke_required=lambda n, _: n["roller_arm"] * _rise(n) * tangent(n["wedge_angle"]),
-    ),
-    mistake("half the thickness of the wedge", wedge_thickness=times(0.5)),
-    mistake(
-        "rollers' diameter for their radius in the wedge",
-        wedge_thickness=lambda n, right: right - n["roller_diameter"] * cosine(n["wedge_angle"]),
-    ),
-    mistake(
-        "normal force for the roller's force",
-        roller_force=lambda n, right: right * cosine(n["friction_angle"]),
-    ),
-    mistake(_SUM, joint_force=lambda n, _: n["joint_force_x"] + n["joint_force_y"]),
-    mistake("two jaws share by friction", grip_force=times(1.5)),
-)
-
-
-def _rise(n: Notebook) -> float:
-    """Return how far a roller goes across while the jaws close, over its arm."""
-    turned = [n["roller_arm_tilt"] + n[f"grip_arm_tilt_{end}"] for end in ("open", "at_min")]
-    return sine(turned[0]) - sine(turned[1])
-
 
 PRISMS: Final[tuple[Mistake, ...]] = (
     mistake(
@@ -295,7 +164,7 @@ PRISMS: Final[tuple[Mistake, ...]] = (
         "diameter for the radius in the shift",
         "arm_shift",
         ENDS,
-        lambda n, end: 2 * _radius(n, end) / tangent(n["prism_angle"] / 2),
+        lambda n, end: 2 * radius_of(n, end) / tangent(n["prism_angle"] / 2),
     ),
     mistake(
         "moment with the height at the nominal diameter",

@@ -4,7 +4,7 @@ from math import degrees, hypot, pi, radians, sqrt
 from typing import Final
 
 from hand.notebook import Notebook, arccosine, arctangent, cosine, sine, tangent
-from hand.wrong import POSITIONS, ENDS, Mistake, alike, mistake, row_below, times
+from hand.wrong import ENDS, POSITIONS, Mistake, alike, mistake, row_below, times
 
 _THREADS = "trapezoidal threads"
 
@@ -121,7 +121,7 @@ WORM: Final[tuple[Mistake, ...]] = (
         "sine for the cosine in the torque",
         "torque_ratio",
         ENDS,
-        lambda n, end: 2 * n["grip_arm"] * abs(sine(n[f"grip_arm_tilt_{end}"])) / n["worm_ratio"],
+        lambda n, end: 2 * n["grip_arm"] * sine(n[f"grip_arm_tilt_{end}"]) / n["worm_ratio"],
     ),
     mistake("root for the cube root", module_required=lambda _, right: right**1.5),
     mistake(

@@ -36,6 +36,10 @@ class Notebook:
     def __contains__(self, name: str) -> bool:
         return name in self.written or name in self.sheet.given
 
+    def get(self, name: str, otherwise: float) -> float:
+        """Return a number, or another one where the sheet has no such quantity."""
+        return {**self.sheet.given, **self.written}.get(name, otherwise)
+
     def asks(self, name: str) -> bool:
         """Tell whether the workbook has a cell for a quantity."""
         return name in self.sheet.asked

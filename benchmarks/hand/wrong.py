@@ -48,7 +48,7 @@ def times(factor: float) -> Step:
 
 
 def row_below(table: str, column: str = "") -> Step:
-    """Return a step that takes the entry one row before the right one, or the next if it is first."""
+    """Return a step that takes the entry one row before the right one; of the first, the next."""
 
     def step(n: Notebook, right: float) -> float:
         sizes = n.sheet.table(table).column(column)

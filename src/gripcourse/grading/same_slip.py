@@ -2,8 +2,9 @@
 
 Positions, sides and directions are computed by one formula with other numbers. A factor left out of
 it, or a sign the wrong way round, is one mistake wherever it is written down. So it is at every
-position of a mechanism, where one formula has a term more: open jaws stand a release travel beyond the
-largest object. So is the wrong row of a table of which several columns are asked for.
+position of a mechanism, where one formula has a term more: open jaws stand a release travel beyond
+the largest object. So is the wrong row of a table of which several columns are asked for. What one
+formula declares and the general kinds find in another is the same where it computes alike.
 """
 
 from collections.abc import Iterator, Mapping, Sequence
@@ -23,7 +24,10 @@ from gripcourse.slips.model import USED, SlipId
 from gripcourse.text.words import message
 
 _Alike: TypeAlias = tuple[str, tuple[object, ...]]
-_Mistake: TypeAlias = tuple[SlipId, _Alike]
+_Method: TypeAlias = SlipId | tuple[object, ...]
+"""What is done wrong: by its name, or by the form of what is computed instead."""
+
+_Mistake: TypeAlias = tuple[_Method, _Alike]
 
 
 def same_slip_once(case: GradingCase, judged: Sequence[JudgedAnswer]) -> list[JudgedAnswer]:
@@ -70,8 +74,11 @@ def _named(case: GradingCase, judged: JudgedAnswer) -> list[_Mistake]:
     mistaken = judged.judgement.outcome.traits.mistake
     if not mistaken or slip is None or slip.kind == USED:
         return []
-    slips = (slip, *judged.judgement.tied)
-    return [(one, alike) for one in slips for alike in _likenesses(case, judged)]
+    named = {slip, *judged.judgement.tied}
+    instead = [one for one in case.candidates_of(judged.quantity.id) if one.id in named]
+    methods: list[_Method] = [slip, *judged.judgement.tied]
+    methods += [form(one.formula.tree) for one in instead]
+    return [(one, alike) for one in methods for alike in _likenesses(case, judged)]
 
 
 def _once(case: GradingCase, judged: JudgedAnswer, first: Mapping[_Mistake, str]) -> JudgedAnswer:
@@ -97,7 +104,7 @@ def _repeated(
     if comparison is None or not is_unexplained(case, judged):
         return []
     likenesses = set(_likenesses(case, judged))
-    made = {slip: alike for slip, alike in first if alike in likenesses}
+    made = {method: alike for method, alike in first if alike in likenesses}
     if not made:
         return []
     met = weigh(
