@@ -1,5 +1,6 @@
 """A wrong method in two formulas that are alike, at both ends of a range, is one mistake."""
 
+from math import asin, cos, degrees, radians, sin, tan
 from typing import TYPE_CHECKING
 
 import pytest
@@ -21,6 +22,12 @@ ENDS = ("force_ratio_at_max", "force_ratio_at_min")
 def levers(table: "tuple[Case, ...]") -> "Case":
     """Two levers, whose ratio P/F is asked for at both ends of the range."""
     return next(one for one in table if one.plan.scheme.id == "plain_lever")
+
+
+@pytest.fixture(scope="module")
+def rockers(table: "tuple[Case, ...]") -> "Case":
+    """Two rockers, whose slots stand at an angle that is asked for in three positions."""
+    return next(one for one in table if one.plan.scheme.id == "tangent_slider")
 
 
 def for_one_jaw(case: "Case") -> dict[str, float]:
@@ -84,6 +91,57 @@ class TestOneWayOfThinkingAtBothEnds:
 
 def for_one_jaw_alone(case: "Case") -> dict[str, float]:
     return {name: case.reference[name] / 2 for name in ENDS}
+
+
+class TestEveryPosition:
+    """Open jaws stand a release travel beyond the largest object: their formula has a term more."""
+
+    ANGLES = tuple(f"rocker_angle_{position}" for position in ("open", "at_max", "at_min"))
+
+    def by_arcsine(self, case: "Case", *names: str) -> dict[str, float]:
+        """tan θ is how far the pin stands beyond the pivot over b; taken for the sine."""
+        return case.following(
+            **{name: degrees(asin(tan(radians(case.reference[name])))) for name in names}
+        )
+
+    def test_one_wrong_function_costs_the_first_position_alone(self, rockers: "Case") -> None:
+        findings = rockers.findings(self.by_arcsine(rockers, *self.ANGLES))
+        paid = {name for name in self.ANGLES if findings[name].outcome is Outcome.CARRIED}
+        assert len(rockers.lost(self.by_arcsine(rockers, *self.ANGLES))) == 1
+        assert len(paid) == len(self.ANGLES) - 1
+
+    def test_another_mistake_at_another_position_costs_for_itself(self, rockers: "Case") -> None:
+        open_jaws, *_, closed = self.ANGLES
+        wrong = rockers.following(
+            **{
+                open_jaws: self.by_arcsine(rockers, open_jaws)[open_jaws],
+                closed: -rockers.reference[closed],
+            }
+        )
+        assert rockers.lost(wrong) == {open_jaws, closed}
+
+    def test_forces_added_as_numbers_at_both_ends_cost_once(
+        self, table: "tuple[Case, ...]"
+    ) -> None:
+        # At D_max both components have cells of their own, at D_min they stand in the formula.
+        links = next(one for one in table if one.plan.scheme.id.startswith("link_lever"))
+        right = links.reference
+        gamma = radians(right["link_angle_at_min"])
+        at_min = right["grip_force"] + right["link_force_at_min"] * (sin(gamma) + cos(gamma))
+        at_max = right["joint_force_x"] + right["joint_force_y"]
+        wrong = links.following(joint_force_at_max=at_max, joint_force_at_min=at_min)
+        assert len(links.lost(wrong)) == 1
+
+
+class TestTheLoadAtTheFlange:
+    def test_a_factor_left_out_of_both_moments_costs_once(self, table: "tuple[Case, ...]") -> None:
+        # Whoever takes the load as G takes it so for bending and for torque.
+        moments = ("mount_bending", "mount_torque")
+        with_flange = (one for one in table if {*moments, "drive_force"} <= one.answers.keys())
+        case = next(one for one in with_flange if one.given["dynamic_factor"] > 1.1)
+        factor = case.given["dynamic_factor"]
+        wrong = case.following(**{name: case.reference[name] / factor for name in moments})
+        assert len(case.lost(wrong)) == 1
 
 
 class TestMistakesOfTheirOwn:

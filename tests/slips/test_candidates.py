@@ -55,6 +55,18 @@ class TestGenericSlips:
             ("grip_force*force_ratio", "unit:kN", {"grip_force": 3, "force_ratio": 2}, 0.006),
             ("grip_force*force_ratio", "factor_left_out:11", {"grip_force": 3}, 3),
             (
+                "grip_force/sin(arm_angle_open)",
+                "factor_left_out:11",
+                {"grip_force": 3},
+                3,
+            ),
+            (
+                "grip_force*max(cos(arm_angle_open), cos(arm_angle_at_min))**2",
+                "factor_left_out:11",
+                {"grip_force": 3},
+                3,
+            ),
+            (
                 "grip_force/mechanism_efficiency",
                 "multiplied_for_divided:mechanism_efficiency",
                 {"grip_force": 3, "mechanism_efficiency": 0.5},

@@ -1,11 +1,13 @@
 """One wrong method in formulas that are alike: whoever thinks wrongly at both ends thinks so once.
 
 Positions, sides and directions are computed by one formula with other numbers. A factor left out of
-it, or a sign the wrong way round, is one mistake wherever it is written down. So is the wrong row
-of a table of which several columns are asked for.
+it, or a sign the wrong way round, is one mistake wherever it is written down. So it is at every
+position of a mechanism, where one formula has a term more: open jaws stand a release travel beyond
+the largest object. So is the wrong row of a table of which several columns are asked for. What one
+formula declares and the general kinds find in another is the same where it computes alike.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from typing import TypeAlias
 
 from gripcourse.course.quantity import Kind
@@ -22,7 +24,10 @@ from gripcourse.slips.model import USED, SlipId
 from gripcourse.text.words import message
 
 _Alike: TypeAlias = tuple[str, tuple[object, ...]]
-_Mistake: TypeAlias = tuple[SlipId, _Alike]
+_Method: TypeAlias = SlipId | tuple[object, ...]
+"""What is done wrong: by its name, or by the form of what is computed instead."""
+
+_Mistake: TypeAlias = tuple[_Method, _Alike]
 
 
 def same_slip_once(case: GradingCase, judged: Sequence[JudgedAnswer]) -> list[JudgedAnswer]:
@@ -45,25 +50,35 @@ def same_slip_once(case: GradingCase, judged: Sequence[JudgedAnswer]) -> list[Ju
     return [_once(case, one, first) for one in judged]
 
 
-def _alike(case: GradingCase, judged: JudgedAnswer) -> _Alike | None:
-    """Return what an answer has in common with those that are computed or read alike."""
-    formula, kind = case.plan.reference_formula(judged.quantity.id), judged.quantity.kind
+def _likenesses(case: GradingCase, judged: JudgedAnswer) -> Iterator[_Alike]:
+    """Yield what an answer has in common with those that are computed or read alike."""
+    name, kind = judged.quantity.id, judged.quantity.kind
+    formula = case.plan.reference_formula(name)
     if formula is None:
-        return None
+        return
     match formula.tree:
         case Call(_, arguments, str(column)) if kind is Kind.PICK:
-            return column.partition(".")[0], arguments  # the table, and what its row is found by
-        case tree:
-            return (judged.quantity.unit, form(tree)) if kind is Kind.FORMULA else None
+            yield column.partition(".")[0], arguments  # the table, and what its row is found by
+        case tree if kind is Kind.FORMULA:
+            yield judged.quantity.unit, form(tree)
+            kinematics = case.plan.scheme.kinematics
+            for position in kinematics.at if kinematics is not None else ():
+                whatever = name.removesuffix(f"_{position}")
+                if whatever != name:
+                    yield judged.quantity.unit, (whatever,)
 
 
 def _named(case: GradingCase, judged: JudgedAnswer) -> list[_Mistake]:
-    """Return what was done wrongly, and in a formula of which form, where that is named."""
-    slip, mistaken = judged.judgement.slip, judged.judgement.outcome.traits.mistake
+    """Return what was done wrongly, and in formulas like which, where that is named."""
+    slip = judged.judgement.slip
+    mistaken = judged.judgement.outcome.traits.mistake
     if not mistaken or slip is None or slip.kind == USED:
         return []
-    alike = _alike(case, judged)
-    return [] if alike is None else [(one, alike) for one in (slip, *judged.judgement.tied)]
+    named = {slip, *judged.judgement.tied}
+    instead = [one for one in case.candidates_of(judged.quantity.id) if one.id in named]
+    methods: list[_Method] = [slip, *judged.judgement.tied]
+    methods += [form(one.formula.tree) for one in instead]
+    return [(one, alike) for one in methods for alike in _likenesses(case, judged)]
 
 
 def _once(case: GradingCase, judged: JudgedAnswer, first: Mapping[_Mistake, str]) -> JudgedAnswer:
@@ -88,13 +103,11 @@ def _repeated(
     comparison = judged.comparison
     if not first or comparison is None or not is_unexplained(case, judged):
         return []
-    alike = _alike(case, judged)
-    if alike is None:
-        return []
-    slips = {slip for slip, of in first if of == alike}
-    if not slips:
+    likenesses = set(_likenesses(case, judged))
+    made = {method: alike for method, alike in first if alike in likenesses}
+    if not made:
         return []
     met = weigh(
-        comparison, [one for one in case.candidates_of(judged.quantity.id) if one.id in slips]
+        comparison, [one for one in case.candidates_of(judged.quantity.id) if one.id in made]
     )
-    return [(one.candidate.id, alike) for one in met]
+    return [(one.candidate.id, made[one.candidate.id]) for one in met]

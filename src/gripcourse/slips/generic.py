@@ -124,10 +124,24 @@ def _quantity_left_out(around: Surroundings) -> Iterator[Rewritten]:
 
 def _factor_left_out(around: Surroundings) -> Iterator[Rewritten]:
     def plain(node: Node) -> Mapping[str, Place] | None:
+        if _is_of_angles(node):
+            return {"quantity": node}
         quantity = around.dimensionless(node)
         return None if quantity is None else {"quantity": quantity}
 
     yield from _left_out(around, plain, "*/")
+
+
+def _is_of_angles(node: Node) -> bool:
+    """Tell whether a node is a function of an angle, its power, or the greater of two of them."""
+    match node:
+        case Call("sin" | "cos" | "tan"):
+            return True
+        case Operation("**", base, Number()):
+            return _is_of_angles(base)
+        case Call("max" | "min", arguments):
+            return all(map(_is_of_angles, arguments))
+    return False
 
 
 def _number_left_out(around: Surroundings) -> Iterator[Rewritten]:
