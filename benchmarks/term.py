@@ -33,7 +33,7 @@ from time import perf_counter, sleep
 from xml.sax.saxutils import escape
 
 import psutil
-from apart import machine_ratio
+from batches.apart import machine_ratio
 from cluster import cluster, spent
 
 from gripcourse.cli.demo.students import correct
