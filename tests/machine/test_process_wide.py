@@ -1,6 +1,7 @@
 """What is changed for the whole process for a moment is put back, whatever happens meanwhile."""
 
 import gc
+import os
 import threading
 import warnings
 from collections.abc import Callable, Iterator
@@ -10,8 +11,11 @@ from ctypes import util
 import pytest
 
 from gripcourse.machine.process_wide import (
+    DATE_VARIABLE,
     few_collections,
     libraries_by_full_name,
+    strange_date,
+    without_strange_date,
     without_warnings,
 )
 
@@ -93,3 +97,21 @@ def test_who_wants_few_collections_waits_for_nobody_and_the_last_one_puts_it_bac
 def test_a_warning_inside_is_not_heard() -> None:
     with without_warnings():
         warnings.warn("never heard", stacklevel=1)
+
+
+@pytest.mark.parametrize("date", ["abc", "", "-5", "1e9", "9" * 12])
+def test_a_date_that_is_none_is_away_meanwhile_and_put_back(
+    monkeypatch: pytest.MonkeyPatch, date: str
+) -> None:
+    monkeypatch.setenv(DATE_VARIABLE, date)
+    assert strange_date() == date
+    with without_strange_date(), without_strange_date():
+        assert DATE_VARIABLE not in os.environ
+    assert os.environ[DATE_VARIABLE] == date
+
+
+def test_a_date_stays(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv(DATE_VARIABLE, "1700000000")
+    assert strange_date() is None
+    with without_strange_date():
+        assert os.environ[DATE_VARIABLE] == "1700000000"

@@ -31,6 +31,14 @@ def test_a_drawing_says_nothing_about_the_time() -> None:
     assert not re.search(r"<dc:date>|\d{4}-\d\d-\d\d", score_plot([0.5], ENGLISH))
 
 
+def test_a_date_to_be_written_that_is_none_costs_no_drawing(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    drawing = score_plot([0.5], ENGLISH)
+    monkeypatch.setenv("SOURCE_DATE_EPOCH", "abc")
+    assert score_plot([0.5], ENGLISH) == drawing
+
+
 def test_axes_are_named() -> None:
     assert {"score, %", "students"} <= set(texts(score_plot([0.5], ENGLISH)))
     assert "mean share of the points, %" in texts(facility_plot([Bar("bore", 0.5, 0.4)], ENGLISH))
