@@ -105,6 +105,12 @@ def _refusal(place: str, fault: SQLAlchemyError) -> GradebookError:
     of_the_disk = _of_the_disk(place, fault, state)
     if of_the_disk is not None:
         return of_the_disk
+    return _of_the_server(place, fault, state) or unusable(place, said)
+
+
+def _of_the_server(place: str, fault: DBAPIError, state: str) -> GradebookError | None:
+    """Return the error where a server is not reached, or is gone; None for everything else."""
+    said = str(fault.orig)
     if not state and fault.statement is None and isinstance(fault, ProgrammingError):
         return wrong_options(place, _sentence(said))  # nobody was asked yet
     if fault.connection_invalidated or state.startswith(_GONE):
@@ -127,7 +133,7 @@ def _refusal(place: str, fault: SQLAlchemyError) -> GradebookError:
                 again=_AGAIN,
             ),
         )
-    return unusable(place, said)
+    return None
 
 
 def _busy(place: str, *, is_file: bool) -> GradebookError:
