@@ -1,6 +1,7 @@
 """What is changed for the whole process for a moment is put back, whatever happens meanwhile."""
 
 import gc
+import logging
 import os
 import threading
 import warnings
@@ -15,6 +16,7 @@ from gripcourse.machine.process_wide import (
     few_collections,
     libraries_by_full_name,
     strange_date,
+    without_advice,
     without_strange_date,
     without_warnings,
 )
@@ -115,3 +117,14 @@ def test_a_date_stays(monkeypatch: pytest.MonkeyPatch) -> None:
     assert strange_date() is None
     with without_strange_date():
         assert os.environ[DATE_VARIABLE] == "1700000000"
+
+
+def test_advice_of_a_library_inside_is_not_heard_and_its_errors_are(
+    caplog: pytest.LogCaptureFixture,
+) -> None:
+    log = logging.getLogger("some_library.part")
+    with without_advice("some_library"):
+        log.warning("set a variable")
+        log.error("failed")
+    log.warning("heard again")
+    assert caplog.messages == ["failed", "heard again"]

@@ -8,6 +8,7 @@ and should not take long.
 """
 
 import gc
+import logging
 import os
 import re
 import sys
@@ -133,6 +134,23 @@ def without_strange_date() -> Iterator[None]:
         finally:
             if strange is not None:
                 os.environ[DATE_VARIABLE] = strange
+
+
+@contextmanager
+def without_advice(library: str) -> Iterator[None]:
+    """Let a library log nothing but errors: where it keeps what it makes is not a user's matter.
+
+    Where the home may not be written, matplotlib recommends a variable to whoever grades, once in
+    each worker.
+    """
+    log = logging.getLogger(library)
+    with _SILENCING:
+        before = log.level
+        log.setLevel(logging.ERROR)
+        try:
+            yield
+        finally:
+            log.setLevel(before)
 
 
 @contextmanager
