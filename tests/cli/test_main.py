@@ -605,3 +605,14 @@ def test_an_unknown_variant_is_not_drawn(gripcourse: Command) -> None:
     run = gripcourse("draw", "999")
     assert run.code == 2
     assert "The table has no variant '999'." in run.err
+
+
+def test_a_date_to_be_written_that_is_none_is_said_to_be_left_out_of_account(
+    gripcourse: Command, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("SOURCE_DATE_EPOCH", "abc")
+    run = gripcourse("solve", "--scheme", SCHEME)
+    assert run.code == 0
+    assert "SOURCE_DATE_EPOCH is 'abc'" in run.err
+    monkeypatch.setenv("SOURCE_DATE_EPOCH", "1700000000")
+    assert gripcourse("solve", "--scheme", SCHEME).err == ""

@@ -37,6 +37,13 @@ PIN = "variants/catalogues/pin.csv"
         ),
         (
             "\n3\n4\n",
+            "\n3\n4e-999\n",
+            "row 7",
+            "a number in each column",
+            "in every column",
+        ),
+        (
+            "\n3\n4\n",
             "\n3\nnan\n",
             "row 7",
             "a number in each column",

@@ -136,6 +136,7 @@ def test_pi_is_no_quantity() -> None:
         ("0x10", "not a number", "0x10"),
         ("1_000", "not a number", "1"),
         ("1e999", "too large", "1e999"),
+        ("2*1.5e-999", "taken as 0", "1.5e-999"),
         ("007", "missing or too much", "0"),
         ("True", "not part of the formula language", "True"),
         ("'a'", "only name a catalogue's column", "'a'"),

@@ -12,6 +12,7 @@ from gripcourse.gradebook.deadlines import (
     course_deadlines,
     deadline_of,
     deadlines_path,
+    doubt_about,
     moment_of,
     read_deadlines,
 )
@@ -45,16 +46,52 @@ def issued(student: str, group: str, day: date | None = date(2026, 11, 1)) -> Is
 @pytest.mark.parametrize(
     ("written", "at"),
     [
-        ("2026-10-25 03:30", datetime(2026, 10, 25, 1, 30, tzinfo=UTC)),  # clocks show it twice
+        ("2026-10-25 03:30+03:00", datetime(2026, 10, 25, 0, 30, tzinfo=UTC)),
+        ("2026-10-25 03:30 +02:00", datetime(2026, 10, 25, 1, 30, tzinfo=UTC)),
+        ("25.10.2026 03:30+0200", datetime(2026, 10, 25, 1, 30, tzinfo=UTC)),
         ("2026-10-25 02:59", datetime(2026, 10, 24, 23, 59, tzinfo=UTC)),
         ("2026-10-25 04:00", datetime(2026, 10, 25, 2, 0, tzinfo=UTC)),
-        ("2026-03-29 03:30", datetime(2026, 3, 29, 1, 30, tzinfo=UTC)),  # clocks never show it
+        ("2026-03-29 02:59", datetime(2026, 3, 29, 0, 59, tzinfo=UTC)),
+        ("2026-03-29 04:00", datetime(2026, 3, 29, 1, 0, tzinfo=UTC)),
         ("2026-10-25", datetime(2026, 10, 25, 21, 59, 59, tzinfo=UTC)),
     ],
 )
-def test_of_what_a_deadline_may_mean_the_last_moment_counts(written: str, at: datetime) -> None:
+def test_a_deadline_is_a_moment_by_the_clocks_of_the_course(written: str, at: datetime) -> None:
     (row,) = table(f"group,student,deadline\n,,{written}\n")
     assert row.at.timestamp() == at.timestamp()
+
+
+@pytest.mark.parametrize(
+    ("written", "what", "remedy"),
+    [
+        (
+            "2026-10-25 03:30",
+            "Clocks show 2026-10-25 03:30 twice",
+            "Write 2026-10-25 03:30+03:00 or 2026-10-25 03:30+02:00.",
+        ),
+        (
+            "29.03.2026 03:30",
+            "Clocks never show 2026-03-29 03:30",
+            "Write 2026-03-29 02:30 or 2026-03-29 04:30.",
+        ),
+    ],
+)
+def test_a_deadline_in_the_hour_of_a_change_of_clocks_is_asked_about(
+    written: str, what: str, remedy: str
+) -> None:
+    with pytest.raises(TableError) as caught:
+        table(f"group,student,deadline\n,,{written}\n")
+    (problem,) = caught.value.problems
+    assert what in str(problem.what)
+    assert str(problem.remedy) == remedy
+    assert doubt_about(written, KYIV) == (problem.what, problem.remedy)
+    for answer in remedy.removeprefix("Write ").removesuffix(".").split(" or "):
+        assert table(f"group,student,deadline\n,,{answer}\n")
+
+
+@pytest.mark.parametrize("written", ["2026-10-25 03:30+99:00", "2026-10-25 +02:00", "03:30"])
+def test_what_is_no_moment_is_none(written: str) -> None:
+    assert moment_of(written, KYIV) is None
 
 
 def test_the_last_second_of_a_day_that_ends_twice_counts() -> None:

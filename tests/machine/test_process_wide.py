@@ -1,6 +1,8 @@
 """What is changed for the whole process for a moment is put back, whatever happens meanwhile."""
 
 import gc
+import logging
+import os
 import threading
 import warnings
 from collections.abc import Callable, Iterator
@@ -10,8 +12,12 @@ from ctypes import util
 import pytest
 
 from gripcourse.machine.process_wide import (
+    DATE_VARIABLE,
     few_collections,
     libraries_by_full_name,
+    strange_date,
+    without_advice,
+    without_strange_date,
     without_warnings,
 )
 
@@ -93,3 +99,32 @@ def test_who_wants_few_collections_waits_for_nobody_and_the_last_one_puts_it_bac
 def test_a_warning_inside_is_not_heard() -> None:
     with without_warnings():
         warnings.warn("never heard", stacklevel=1)
+
+
+@pytest.mark.parametrize("date", ["abc", "", "-5", "1e9", "9" * 12])
+def test_a_date_that_is_none_is_away_meanwhile_and_put_back(
+    monkeypatch: pytest.MonkeyPatch, date: str
+) -> None:
+    monkeypatch.setenv(DATE_VARIABLE, date)
+    assert strange_date() == date
+    with without_strange_date(), without_strange_date():
+        assert DATE_VARIABLE not in os.environ
+    assert os.environ[DATE_VARIABLE] == date
+
+
+def test_a_date_stays(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv(DATE_VARIABLE, "1700000000")
+    assert strange_date() is None
+    with without_strange_date():
+        assert os.environ[DATE_VARIABLE] == "1700000000"
+
+
+def test_advice_of_a_library_inside_is_not_heard_and_its_errors_are(
+    caplog: pytest.LogCaptureFixture,
+) -> None:
+    log = logging.getLogger("some_library.part")
+    with without_advice("some_library"):
+        log.warning("set a variable")
+        log.error("failed")
+    log.warning("heard again")
+    assert caplog.messages == ["failed", "heard again"]

@@ -174,6 +174,7 @@ NOT_ONE_NUMBER = (
     *(text(typed, None, SEVERAL) for typed in ("12x13", "2√2", "1,5π", "12 (13)", "5·103")),
     *(text(typed, None, NO_NUMBER) for typed in ("от 12 до 13", "NaN", "inf", "√2", "много")),
     *(text(typed, None, "too large") for typed in ("10^400", "1e400", "1" + "0" * 180 + "e200")),
+    *(text(typed, None, "too small") for typed in ("1e-999", "10^-400", "-2·10⁻⁴⁰⁰", "4e-323 мкм")),
     Row(10**400, None, "too large"),
     Row(float("inf"), None, "too large"),
     Row(float("nan"), None, "too large"),

@@ -73,7 +73,7 @@ def test_a_computed_number_has_practically_no_half_unit(returned: "Returned") ->
     assert returned.filled({FORCE: 100 / 3}).answers[FORCE].half_unit < 1e-12
 
 
-@pytest.mark.parametrize("stored", ["1" + "0" * 400, "1E400", "-1e999"])
+@pytest.mark.parametrize("stored", ["1" + "0" * 400, "1E400", "-1e999", "1e-999"])
 def test_a_number_beyond_any_float_is_unreadable(returned: "Returned", stored: str) -> None:
     quantity, path = returned.stored(stored)
     answer = returned.read(path).answers[quantity]

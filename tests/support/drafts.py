@@ -170,9 +170,9 @@ def forget_weights(policy: Path, declared: set[str]) -> None:
 
 
 @cache
-def parsed(text: str) -> bytes:
+def parsed(text: str, parse_float: Callable[[str], float]) -> bytes:
     """Parse a TOML text, to be unpickled by each who reads it: fifteen times as fast."""
-    return pickle.dumps(tomllib.loads(text))
+    return pickle.dumps(tomllib.loads(text, parse_float=parse_float))
 
 
 class ParsedOnce:
@@ -181,8 +181,8 @@ class ParsedOnce:
     TOMLDecodeError = tomllib.TOMLDecodeError
 
     @staticmethod
-    def loads(text: str) -> object:
-        return pickle.loads(parsed(text))  # noqa: S301 (pickled here)
+    def loads(text: str, *, parse_float: Callable[[str], float]) -> object:
+        return pickle.loads(parsed(text, parse_float))  # noqa: S301 (pickled here)
 
 
 @pytest.fixture

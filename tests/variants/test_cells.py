@@ -29,6 +29,11 @@ def test_numbers_with_a_point_are_read_in_every_table(text: str, value: float) -
     assert exact_number(text, decimal_comma=True) == value
 
 
+@pytest.mark.parametrize("text", ["0", "-0,0", "0e-999", "0.000E9"])
+def test_a_zero_is_a_zero_however_it_is_written(text: str) -> None:
+    assert exact_number(text, decimal_comma=True) == 0
+
+
 def test_a_comma_is_decimal_only_where_it_cannot_group() -> None:
     assert exact_number("1,234", decimal_comma=True) == 1.234
     assert exact_number("1,234", decimal_comma=False) is None
@@ -36,7 +41,20 @@ def test_a_comma_is_decimal_only_where_it_cannot_group() -> None:
 
 @pytest.mark.parametrize(
     "text",
-    ["", "60 kg", "1.2.3", "1,2,3", "1,234.5", "nan", "inf", "1e999", "0x10", "1_000", "--5"],
+    [
+        "",
+        "60 kg",
+        "1.2.3",
+        "1,2,3",
+        "1,234.5",
+        "nan",
+        "inf",
+        "1e999",
+        "1e-999",
+        "0x10",
+        "1_000",
+        "--5",
+    ],
 )
 def test_what_is_not_one_number_is_none(text: str) -> None:
     assert exact_number(text, decimal_comma=True) is None

@@ -12,7 +12,7 @@ from datetime import datetime
 from functools import partial
 from pathlib import Path
 from time import perf_counter
-from typing import Annotated
+from typing import Annotated, Final
 
 import typer
 
@@ -61,11 +61,13 @@ from gripcourse.cli.pairs import read_pairs
 from gripcourse.cli.problems import said_of
 from gripcourse.errors import GripcourseError, memory_problem, system_problem
 from gripcourse.machine.ending import end_in_order
-from gripcourse.machine.process_wide import collect_rarely
+from gripcourse.machine.process_wide import DATE_VARIABLE, collect_rarely, strange_date
 from gripcourse.text.words import Words, message
 
 # Every command imports what it needs itself: numpy, pandas and WeasyPrint cost up to half a second.
 # ruff: noqa: PLC0415
+
+_LONGEST_SETTING: Final = 40  # characters that are shown of it
 
 _log = logging.getLogger(__name__)
 
@@ -261,6 +263,13 @@ def main() -> None:
 
 
 def _run() -> int | None:
+    if (written := strange_date()) is not None:
+        said = message(
+            "{variable} is '{written}', which is no number of seconds: it is left out of account.",
+            variable=DATE_VARIABLE,
+            written=written[:_LONGEST_SETTING],
+        )
+        typer.echo(chosen_words().say(said), err=True)
     code: int | None = app(prog_name="gripcourse", standalone_mode=False)
     return code
 

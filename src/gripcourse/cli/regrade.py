@@ -169,7 +169,7 @@ def waive(  # noqa: PLR0913 (one parameter per option)
     language: LanguageOption = None,
 ) -> None:
     """Let a student's lateness cost nothing, at all or until a moment; the reason is kept."""
-    from gripcourse.gradebook.deadlines import last_of, moment_of
+    from gripcourse.gradebook.deadlines import doubt_about, last_moment_of
     from gripcourse.gradebook.timing import Waiver
     from gripcourse.policy.time_rules import zone_of
     from gripcourse.usecases.marks.opening import issued_of, open_grading
@@ -177,13 +177,17 @@ def waive(  # noqa: PLR0913 (one parameter per option)
 
     words, root = words_for(language), course_folder(course)
     # The zone stands in the policy, which needs a course without problems; the rest needs none.
-    said = None if until is None else moment_of(until, zone_of(open_grading(root).policy.late))
-    moment = None if said is None else last_of(said)
-    if until is not None and moment is None:
-        raise cli_text.misuse(
-            message("'{text}' is no day.", text=until),
-            message("Write 2026-12-01, or 2026-12-01 18:00."),
-        )
+    moment = None
+    if until is not None:
+        zone = zone_of(open_grading(root).policy.late)
+        moment = last_moment_of(until, zone)
+        if moment is None:
+            raise cli_text.misuse(
+                message("'{text}' is no day.", text=until),
+                message("Write 2026-12-01, or 2026-12-01 18:00."),
+            )
+        if (doubt := doubt_about(until, zone)) is not None:
+            raise cli_text.misuse(*doubt)
     place, now = gradebook_place(gradebook, root), datetime.now(UTC)
     wanted = Waiver(student, 0, moment, withdraw, by or getpass.getuser(), now, why)
     enter(wanted, place, issued_of(root))

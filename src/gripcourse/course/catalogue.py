@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 from gripcourse.course.model import Catalogue
 from gripcourse.errors import Problem
 from gripcourse.formula.evaluate import Column
+from gripcourse.text.number_text import is_lost
 from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.units import factor
 from gripcourse.text.units import known as known_unit
@@ -226,7 +227,8 @@ def _values(
             numbers = [float(cell) for cell in row]
         except ValueError:
             numbers = []
-        if len(numbers) != width or not all(np.isfinite(numbers)):
+        is_held = all(np.isfinite(numbers)) and not any(map(is_lost, row, numbers))
+        if len(numbers) != width or not is_held:
             problems.append(
                 _problem(
                     file,

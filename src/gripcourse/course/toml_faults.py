@@ -1,5 +1,6 @@
 """What is wrong with a file that is no TOML: in the author's language, with the line."""
 
+import math
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -10,6 +11,7 @@ import tomli
 
 from gripcourse.course.toml_bounds import shorten_long
 from gripcourse.errors import Problem
+from gripcourse.text.number_text import is_lost
 from gripcourse.text.words import Message, message
 
 _PLACE: Final = re.compile(
@@ -84,7 +86,7 @@ def toml_values(path: Path, file: str, problems: list[Problem]) -> dict[str, obj
     """
     try:
         text = path.read_text(encoding="utf-8-sig")
-        values = tomli.loads(text)
+        values = tomli.loads(text, parse_float=_number)
     except FileNotFoundError:
         what, remedy = message("The file is missing."), message("Write it or restore it.")
         problems.append(Problem(file, "", what, remedy))
@@ -97,6 +99,12 @@ def toml_values(path: Path, file: str, problems: list[Problem]) -> dict[str, obj
         shorten_long(values, file, problems)
         return values
     return None
+
+
+def _number(written: str) -> float:
+    """Read a number; one so small that it would be taken as 0 is none."""
+    value = float(written)
+    return math.nan if is_lost(written, value) else value
 
 
 def toml_problem(file: str, text: str, fault: str) -> Problem:

@@ -42,7 +42,11 @@ from gripcourse.formula.markup import html, text
 from gripcourse.formula.mathml import mathml, reads_aloud
 from gripcourse.formula.typeset import declared_symbol
 from gripcourse.machine.fonts import FONT_PACKAGES, fonts_used
-from gripcourse.machine.process_wide import few_collections, libraries_by_full_name
+from gripcourse.machine.process_wide import (
+    few_collections,
+    libraries_by_full_name,
+    without_strange_date,
+)
 from gripcourse.machine.resources import template_file, template_folders
 from gripcourse.text.amounts import (
     day_text,
@@ -124,7 +128,8 @@ def pdf_from_html(html: str, styles: tuple[str, ...], templates: Path) -> bytes:
     fonts = _fonts()
     with few_collections(), shared_between_documents(fonts):
         document = _laid_out(html, styles, templates)
-        return bytes(document.write_pdf(pdf_variant=_VARIANT, finisher=_scoped))
+        with without_strange_date():  # which is asked for where fonts are cut down
+            return bytes(document.write_pdf(pdf_variant=_VARIANT, finisher=_scoped))
 
 
 def _scoped(_document: object, pdf: Any) -> None:  # noqa: ANN401 - pydyf ships no types

@@ -30,6 +30,7 @@ from gripcourse.formula.tree import (
     names,
     with_names,
 )
+from gripcourse.text.number_text import is_lost
 from gripcourse.text.words import Message, message
 
 __all__ = ["FormulaFault", "caret", "formula_of", "parse"]
@@ -197,6 +198,8 @@ def _refusal(node: ast.expr) -> Message:
 def _number(value: float, text: str, span: Span) -> Number:
     if not math.isfinite(value):
         raise FormulaFault(message("This number is too large."), span)
+    if is_lost(text, value):
+        raise FormulaFault(message("This number is too small: it would be taken as 0."), span)
     return Number(value, text, span)
 
 

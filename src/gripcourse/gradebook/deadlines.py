@@ -3,7 +3,7 @@
 import re
 from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass
-from datetime import date, datetime, time
+from datetime import UTC, date, datetime, time
 from pathlib import Path
 from typing import Final
 from zoneinfo import ZoneInfo
@@ -12,13 +12,16 @@ from gripcourse.errors import Problem, TableError
 from gripcourse.machine.content import Readable
 from gripcourse.policy.time_rules import LateRule, zone_of
 from gripcourse.text.suggestion import did_you_mean
-from gripcourse.text.words import message
+from gripcourse.text.words import Message, message
 from gripcourse.variants.headings import by_ids, words_vocabulary
 from gripcourse.variants.model import Issued, Student
 from gripcourse.variants.sheet import Sheet, SheetRow, cell_place, read_sheet
 
 _COLUMNS = ("group", "student", "deadline")
-_WRITTEN = re.compile(r"(\d{4}-\d{2}-\d{2})(?:[ T](\d{1,2}):(\d{2})(?::(\d{2}))?)?")
+_WRITTEN = re.compile(
+    r"(\d{4}-\d{2}-\d{2})(?:[ T](\d{1,2}):(\d{2})(?::(\d{2}))?(?: ?([+-]\d{2}):?(\d{2}))?)?",
+    re.ASCII,
+)
 _OFFICE = re.compile(r"(\d{1,2})\.(\d{1,2})\.(\d{4})(?=[ T]|$)")  # as offices write days here
 END_OF_DAY: Final = time(23, 59, 59)
 """The last second of a day, which still counts."""
@@ -116,18 +119,58 @@ def read_deadlines(
 
 
 def moment_of(written: str, zone: ZoneInfo) -> datetime | None:
-    """Read a day, whose last second is meant, or a day with a time; None where it is neither."""
-    iso = _OFFICE.sub(lambda day: f"{day[3]}-{day[2]:0>2}-{day[1]:0>2}", written.strip(), count=1)
-    found = _WRITTEN.fullmatch(iso)
+    """Read a day, whose last second is meant, or a day with a time; None where it is neither.
+
+    A time may say how far it is from UTC (`2026-10-25 03:30+02:00`): clocks may show it twice.
+    """
+    found = _parts_of(written)
     if found is None:
         return None
     try:
         day = date.fromisoformat(found[1])
-        hours, minutes, seconds = (int(one or 0) for one in found.groups()[1:])
+        hours, minutes, seconds = (int(one or 0) for one in found.groups()[1:4])
         at = time(hours, minutes, seconds) if found[2] else END_OF_DAY
-    except ValueError:
+        if not found[5]:
+            return datetime.combine(day, at, zone)
+        return datetime.fromisoformat(f"{day}T{at}{found[5]}:{found[6]}").astimezone(zone)
+    except (ValueError, OverflowError):
         return None
-    return datetime.combine(day, at, zone)
+
+
+def last_moment_of(written: str, zone: ZoneInfo) -> datetime | None:
+    """Read a deadline as above: of a day that ends twice the last second."""
+    at, found = moment_of(written, zone), _parts_of(written)
+    return at if at is None or found is None or found[5] else last_of(at)
+
+
+def doubt_about(written: str, zone: ZoneInfo) -> tuple[Message, Message] | None:
+    """Say what is doubtful about a moment, and how to write it; None for nothing.
+
+    Where clocks are set back they show an hour twice; where they are set forward, one never.
+    """
+    at, found = moment_of(written, zone), _parts_of(written)
+    if at is None or found is None or not found[2] or found[5]:
+        return None
+    first, second = at.replace(fold=0), at.replace(fold=1)
+    if first.utcoffset() == second.utcoffset():
+        return None
+    if first.timestamp() < second.timestamp():
+        what = message("Clocks show {moment} twice: they are set back.", moment=_shown(at))
+        both = (one.isoformat(" ", "minutes") for one in (first, second))
+    else:
+        what = message("Clocks never show {moment}: they are set forward.", moment=_shown(at))
+        both = (_shown(one.astimezone(UTC).astimezone(zone)) for one in (second, first))
+    earlier, later = both
+    return what, message("Write {earlier} or {later}.", earlier=earlier, later=later)
+
+
+def _shown(moment: datetime) -> str:
+    return f"{moment:%Y-%m-%d %H:%M}"
+
+
+def _parts_of(written: str) -> re.Match[str] | None:
+    iso = _OFFICE.sub(lambda day: f"{day[3]}-{day[2]:0>2}-{day[1]:0>2}", written.strip(), count=1)
+    return _WRITTEN.fullmatch(iso)
 
 
 def _nobody(
@@ -164,14 +207,17 @@ def _row(
     problems: list[Problem],
 ) -> Deadline | None:
     cells = dict(zip(sheet.header, row.cells, strict=True))
-    at = moment_of(cells["deadline"], zone)
-    if at is None:
-        what = message("'{text}' is no day.", text=cells["deadline"])
-        remedy = message("Write 2026-12-01, or 2026-12-01 18:00.")
-        place = cell_place(row.number, called["deadline"])
-        problems.append(Problem(sheet.file, place, what, remedy))
-        return None
-    return Deadline(cells.get("group", ""), cells.get("student", ""), last_of(at))
+    written = cells["deadline"]
+    at, doubt = last_moment_of(written, zone), doubt_about(written, zone)
+    if at is not None and doubt is None:
+        return Deadline(cells.get("group", ""), cells.get("student", ""), at)
+    said = doubt or (
+        message("'{text}' is no day.", text=written),
+        message("Write 2026-12-01, or 2026-12-01 18:00."),
+    )
+    place = cell_place(row.number, called["deadline"])
+    problems.append(Problem(sheet.file, place, *said))
+    return None
 
 
 def _heading_problems(sheet: Sheet) -> Iterator[Problem]:

@@ -8,7 +8,9 @@ and should not take long.
 """
 
 import gc
+import logging
 import os
+import re
 import sys
 import warnings
 from collections.abc import Iterator
@@ -19,6 +21,8 @@ from typing import Final
 
 _COLLECTOR_THRESHOLD: Final = 100_000
 _SILENCING: Final = RLock()
+DATE_VARIABLE: Final = "SOURCE_DATE_EPOCH"
+_MOMENT: Final = re.compile("[0-9]{1,11}")  # seconds from 1970 on, some thousand years
 
 
 @dataclass(slots=True)
@@ -106,6 +110,47 @@ def libraries_by_full_name() -> Iterator[None]:
             yield
         finally:
             util.find_library = find
+
+
+def strange_date() -> str | None:
+    """Return the setting of the date which programs are told to write, where it is no date.
+
+    Whoever wants the same bytes each time sets it: https://reproducible-builds.org.
+    """
+    written = os.environ.get(DATE_VARIABLE)
+    return None if written is None or _MOMENT.fullmatch(written) else written
+
+
+@contextmanager
+def without_strange_date() -> Iterator[None]:
+    """Take such a date away meanwhile: libraries fail at it when a document is as good as made."""
+    if strange_date() is None:
+        yield
+        return
+    with _SILENCING:
+        strange = os.environ.pop(DATE_VARIABLE, None)
+        try:
+            yield
+        finally:
+            if strange is not None:
+                os.environ[DATE_VARIABLE] = strange
+
+
+@contextmanager
+def without_advice(library: str) -> Iterator[None]:
+    """Let a library log nothing but errors: where it keeps what it makes is not a user's matter.
+
+    Where the home may not be written, matplotlib recommends a variable to whoever grades, once in
+    each worker.
+    """
+    log = logging.getLogger(library)
+    with _SILENCING:
+        before = log.level
+        log.setLevel(logging.ERROR)
+        try:
+            yield
+        finally:
+            log.setLevel(before)
 
 
 @contextmanager

@@ -209,7 +209,8 @@ def _converted(
     scale = factor(unit) / factor(quantity.unit)
     # Without what the conversion adds at the end.
     value = float(f"{read.value * scale + zero:.14g}")
-    if not math.isfinite(value):
+    is_lost = value == 0 == zero and read.value != 0
+    if is_lost or not math.isfinite(value):
         return _OUT_OF_RANGE
     remark = message(
         "Read as {number} {unit} = {value} {declared}; the cell needs the number alone.",

@@ -4,6 +4,7 @@ How people's numbers are read back is in `number_reading`.
 """
 
 import math
+import re
 from decimal import Decimal
 
 from gripcourse.text.conventions import decimal_sign
@@ -12,6 +13,7 @@ _MINUS = "\u2212"
 _NARROW_SPACE = "\u202f"
 _GROUPED_FROM = 5  # digits before the decimal sign: 1234, but 12 345
 _PLAIN = (Decimal("1e-4"), Decimal("1e9"))
+_SIZE = re.compile("[^eE]*[1-9]")
 _SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
@@ -39,6 +41,16 @@ def format_number(value: float, language: str, figures: int = 5) -> str:
     power = size.adjusted()
     mantissa = _plain(size.scaleb(-power), language)
     return f"{sign}{mantissa}·10{str(power).translate(_SUPERSCRIPTS)}"
+
+
+def is_lost(written: str, value: float) -> bool:
+    """Tell whether a number became a zero though none was written: it is too small to be held.
+
+    Args:
+        written: with a decimal point or comma, and a power of ten behind the letter e.
+        value: the nearest float.
+    """
+    return value == 0 and _SIZE.match(written) is not None
 
 
 def _plain(size: Decimal, language: str) -> str:

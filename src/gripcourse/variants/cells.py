@@ -2,6 +2,7 @@
 
 import re
 
+from gripcourse.text.number_text import is_lost
 from gripcourse.text.units import factor
 
 _NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?")
@@ -16,7 +17,8 @@ def exact_number(text: str, *, decimal_comma: bool) -> float | None:
         decimal_comma: whether a comma can only be a decimal one.
 
     Returns:
-        The nearest float; None also for a number too large for one.
+        The nearest float; None also for a number too large for one, or so small that it would be
+        taken as 0.
     """
     plain = text.translate(_INVISIBLE)
     if decimal_comma and "." not in plain:
@@ -24,7 +26,7 @@ def exact_number(text: str, *, decimal_comma: bool) -> float | None:
     if not _NUMBER.fullmatch(plain):
         return None
     value = float(plain)
-    return value if abs(value) < float("inf") else None
+    return value if abs(value) < float("inf") and not is_lost(plain, value) else None
 
 
 def number_text(value: float) -> str:

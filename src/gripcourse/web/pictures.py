@@ -14,6 +14,7 @@ from xml.etree.ElementTree import fromstring
 
 # pypdfium2, Pillow, ezdxf and WeasyPrint are imported in a worker, where a drawing is shown.
 # ruff: noqa: PLC0415
+from gripcourse.machine.process_wide import without_advice
 
 if TYPE_CHECKING:
     from PIL.Image import Image
@@ -85,7 +86,12 @@ def _svg(data: bytes, _: int) -> PaintedPage:
     return _pdf(bytes(page), 1)
 
 
-def _dxf(data: bytes, _: int) -> PaintedPage:
+def _dxf(data: bytes, page: int) -> PaintedPage:
+    with without_advice("matplotlib"):
+        return _dxf_painted(data, page)
+
+
+def _dxf_painted(data: bytes, _: int) -> PaintedPage:
     from ezdxf import recover
     from ezdxf.addons.drawing.config import BackgroundPolicy, ColorPolicy, Configuration
     from ezdxf.addons.drawing.frontend import Frontend

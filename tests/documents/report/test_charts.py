@@ -1,6 +1,10 @@
 """Plots are the same bytes for the same numbers, and their text stays text."""
 
+import os
 import re
+import subprocess
+import sys
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -29,6 +33,29 @@ def test_the_same_numbers_give_the_same_drawing() -> None:
 
 def test_a_drawing_says_nothing_about_the_time() -> None:
     assert not re.search(r"<dc:date>|\d{4}-\d\d-\d\d", score_plot([0.5], ENGLISH))
+
+
+def test_a_date_to_be_written_that_is_none_costs_no_drawing(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    drawing = score_plot([0.5], ENGLISH)
+    monkeypatch.setenv("SOURCE_DATE_EPOCH", "abc")
+    assert score_plot([0.5], ENGLISH) == drawing
+
+
+def test_a_home_that_may_not_be_written_is_nothing_to_talk_about(tmp_path: Path) -> None:
+    home = tmp_path / "home"
+    home.touch()
+    code = (
+        "from gripcourse.documents.report.charts import score_plot;"
+        "from gripcourse.text.words import Words; score_plot([0.5], Words('en'))"
+    )
+    variables = {**os.environ, "HOME": str(home), "XDG_CACHE_HOME": "", "XDG_CONFIG_HOME": ""}
+    variables.pop("MPLCONFIGDIR", None)
+    drawn = subprocess.run(  # noqa: S603 (our own text)
+        [sys.executable, "-c", code], env=variables, capture_output=True, check=True
+    )
+    assert (drawn.stdout, drawn.stderr) == (b"", b"")
 
 
 def test_axes_are_named() -> None:

@@ -115,6 +115,25 @@ class TestRefusals:
         assert said in str(problem.what)
         assert str(problem.remedy)
 
+    @pytest.mark.parametrize(
+        "place",
+        [
+            "postgresql+psycopg://user@127.0.0.1:1/course?colour=red",
+            "postgresql+psycopg://user@127.0.0.1:1/course?connect_timeout=soon",
+            "postgresql+psycopg://user@127.0.0.1:1/course?plugin=colour",
+            "sqlite:///gradebook.sqlite?mode=ro",
+        ],
+    )
+    def test_an_option_of_a_url_that_there_is_not_is_to_be_corrected(
+        self, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, place: str
+    ) -> None:
+        monkeypatch.chdir(tmp_path)
+        with pytest.raises(GradebookError) as caught:
+            open_engine(place)
+        (problem,) = caught.value.problems
+        assert "behind its question mark" in str(problem.remedy)
+        assert not list(tmp_path.iterdir())
+
     def test_a_file_that_is_no_database_is_refused_and_left_alone(self, tmp_path: Path) -> None:
         place = tmp_path / "gradebook.sqlite"
         place.write_text("student,points\n" * 100, encoding="utf-8")

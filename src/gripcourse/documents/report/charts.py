@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gripcourse.formula.prose import subscript_runs
+from gripcourse.machine.process_wide import without_advice, without_strange_date
 from gripcourse.text.words import Words, message
 
 # matplotlib costs 0.4 s to import: only a cohort report pays for it.
@@ -234,14 +235,15 @@ def line_plot(
 
 
 def _svg(draw: Any, height: float) -> str:  # noqa: ANN401 - a function on matplotlib's axes
-    from matplotlib import rc_context
-    from matplotlib.figure import Figure
+    with without_advice("matplotlib"), without_strange_date():
+        from matplotlib import rc_context
+        from matplotlib.figure import Figure
 
-    with rc_context(_STYLE):
-        figure = Figure(figsize=(_WIDTH, height), layout="constrained")
-        draw(figure.subplots())
-        stream = io.StringIO()
-        figure.savefig(stream, format="svg", metadata={"Date": None, "Creator": None})
+        with rc_context(_STYLE):
+            figure = Figure(figsize=(_WIDTH, height), layout="constrained")
+            draw(figure.subplots())
+            stream = io.StringIO()
+            figure.savefig(stream, format="svg", metadata={"Date": None, "Creator": None})
     return stream.getvalue()
 
 

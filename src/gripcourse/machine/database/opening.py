@@ -26,6 +26,7 @@ from gripcourse.machine.database.said import (
     refusals_named,
     unusable,
     without_password,
+    wrong_options,
 )
 from gripcourse.machine.database.storable import storable
 from gripcourse.machine.files import make_private, make_private_folder, making, replacing
@@ -45,6 +46,7 @@ _SECONDS_TO_WAIT: Final = 60  # for another program that writes to the same data
 _SECONDS_TO_CONNECT: Final = 10
 _TRIES = 5
 _POSTGRESQL: Final = "postgresql"
+_PLUGIN: Final = "plugin"  # an option of SQLAlchemy's own
 
 
 def open_engine(place: str) -> Engine:
@@ -116,7 +118,7 @@ def _url(place: str) -> URL:
         return URL.create("sqlite", database=place)
     try:
         # Other programs write the first word so.
-        return make_url(re.sub(r"^postgres(?=://)", _POSTGRESQL, place))
+        url = make_url(re.sub(r"^postgres(?=://)", _POSTGRESQL, place))
     except (ArgumentError, ValueError) as fault:
         # Not shown: whatever it is, a password may be in it.
         raise failure(
@@ -124,6 +126,15 @@ def _url(place: str) -> URL:
             message("This is no URL of a database."),
             message("Write the path of a file, or a URL like postgresql+psycopg://user@host/name."),
         ) from fault
+    _refuse_options(url)
+    return url
+
+
+def _refuse_options(url: URL) -> None:
+    """Refuse what a file of a gradebook does not heed, and what would load other programs."""
+    refused = [one for one in url.query if one == _PLUGIN or url.get_backend_name() == "sqlite"]
+    if refused:
+        raise wrong_options(without_password(url), f'invalid connection option "{refused[0]}"')
 
 
 def _file_of(url: URL) -> Path | None:

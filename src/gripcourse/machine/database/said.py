@@ -7,7 +7,13 @@ from contextlib import contextmanager
 from typing import Final
 
 from sqlalchemy.engine import URL
-from sqlalchemy.exc import DBAPIError, IntegrityError, OperationalError, SQLAlchemyError
+from sqlalchemy.exc import (
+    DBAPIError,
+    IntegrityError,
+    OperationalError,
+    ProgrammingError,
+    SQLAlchemyError,
+)
 
 from gripcourse.errors import GradebookError, NextStep, Problem, system_problem
 from gripcourse.text.words import Message, message
@@ -71,6 +77,18 @@ def unusable(place: str, said: str) -> GradebookError:
     )
 
 
+def wrong_options(place: str, said: str) -> GradebookError:
+    """Return the error of a URL whose options the driver of its database does not take."""
+    return failure(
+        place,
+        message("The URL of the gradebook cannot be used: {fault}.", fault=said.rstrip(".")),
+        message(
+            "Correct or remove what stands behind its question mark. PostgreSQL takes its own"
+            " parameters there, for example sslmode=require; a file takes none."
+        ),
+    )
+
+
 def failure(
     place: str, what: Message, remedy: Message, step: NextStep | None = None
 ) -> GradebookError:
@@ -87,6 +105,14 @@ def _refusal(place: str, fault: SQLAlchemyError) -> GradebookError:
     of_the_disk = _of_the_disk(place, fault, state)
     if of_the_disk is not None:
         return of_the_disk
+    return _of_the_server(place, fault, state) or unusable(place, said)
+
+
+def _of_the_server(place: str, fault: DBAPIError, state: str) -> GradebookError | None:
+    """Return the error where a server is not reached, or is gone; None for everything else."""
+    said = str(fault.orig)
+    if not state and fault.statement is None and isinstance(fault, ProgrammingError):
+        return wrong_options(place, _sentence(said))  # nobody was asked yet
     if fault.connection_invalidated or state.startswith(_GONE):
         return failure(
             place,
@@ -107,7 +133,7 @@ def _refusal(place: str, fault: SQLAlchemyError) -> GradebookError:
                 again=_AGAIN,
             ),
         )
-    return unusable(place, said)
+    return None
 
 
 def _busy(place: str, *, is_file: bool) -> GradebookError:

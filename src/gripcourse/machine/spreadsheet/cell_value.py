@@ -11,6 +11,7 @@ from xml.etree.ElementTree import Element
 from gripcourse.machine.spreadsheet.package import UNSOUND, Package
 from gripcourse.machine.spreadsheet.sheet_cells import StoredCell
 from gripcourse.machine.spreadsheet.xml_scan import local
+from gripcourse.text.number_text import is_lost
 
 CellValue: TypeAlias = bool | int | float | str | datetime | date | time | timedelta | None
 """What a spreadsheet cell can hold; `date` includes `datetime`."""
@@ -18,7 +19,6 @@ CellValue: TypeAlias = bool | int | float | str | datetime | date | time | timed
 GENERAL: Final = "General"
 _LONGEST_FORMAT: Final = 500  # characters; spreadsheet programs write 255 at most
 _NUMBER: Final = re.compile(r"\s*[+-]?(\d{1,4000}(\.\d*)?|\.\d+)([eE][+-]?\d{1,9})?\s*", re.ASCII)
-_NONZERO: Final = re.compile(r"[^eE]*[1-9]")
 _MOST_STYLES: Final = 100_000
 _DIGITS: Final = 9  # of an index
 
@@ -152,7 +152,7 @@ def counts_from_1904(package: Package, workbook: str) -> bool:
 
 def _number(text: str, number_format: str, *, from_1904: bool) -> CellContent:
     number = float(text) if set(".eE") & set(text) else int(text)
-    if not number and _NONZERO.match(text):  # too small to be held: it must not become a zero
+    if is_lost(text, number):  # too small to be held: it must not become a zero
         return CellContent(text)
     if number_format in {GENERAL, ""}:
         return CellContent(number)

@@ -8,7 +8,7 @@ from zoneinfo import ZoneInfo
 
 from gripcourse.errors import Problem, UsageError
 from gripcourse.exports.platforms.moodle_worksheet import handed_in_moments, read_worksheet
-from gripcourse.gradebook.deadlines import moment_of
+from gripcourse.gradebook.deadlines import doubt_about, moment_of
 from gripcourse.grading.platforms import platform_part
 from gripcourse.machine.content import Readable, digest_of_content, shown_name
 from gripcourse.text.shown import shown
@@ -50,6 +50,9 @@ def handed_in_times(
         name, _, moment = (part.strip() for part in one.rpartition("="))
         at = moment_of(moment, zone)
         named = [file for file in map(shown_name, files) if not name or _ends_so(file, name)]
+        if (doubt := doubt_about(moment, zone)) is not None:
+            problems.append(Problem("", "", *doubt, parameter="handed_in"))
+            continue
         if at is None:
             what = message("'{text}' is no day.", text=moment)
         elif not named:
