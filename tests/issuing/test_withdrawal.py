@@ -51,8 +51,9 @@ def root(tmp_path: Path, place: str) -> Path:
     return tmp_path
 
 
-def issue(root: Path, *students: Student) -> Extended:
-    return extend_register(root, "small", lambda before: extend(before, students, VARIANTS, TERMS))
+def issue(root: Path, *students: Student, deadline: date | None = None) -> Extended:
+    terms = replace(TERMS, deadline=deadline)
+    return extend_register(root, "small", lambda before: extend(before, students, VARIANTS, terms))
 
 
 def said(root: Path, student: str, same_as: str = "", *, undo: bool = False) -> list[str]:
@@ -86,6 +87,23 @@ class TestJoining:
         assert found.last["boris"].left == "Order 12."
         assert dict(found.earlier) == {"anna": plain.versions()["anna"][:-1]}
         assert found.joined == {"petrova": "anna"}
+
+    @pytest.mark.parametrize(
+        ("first", "second", "counts"),
+        [
+            (date(2026, 12, 1), date(2026, 12, 10), date(2026, 12, 10)),
+            (date(2026, 12, 10), date(2026, 12, 1), date(2026, 12, 10)),
+            (date(2026, 12, 1), None, None),
+        ],
+    )
+    def test_the_later_deadline_of_both_sheets_counts(
+        self, root: Path, first: date, second: date | None, counts: date | None
+    ) -> None:
+        for student, day in ((VERA, first), (BORIS, second)):
+            issue(root, replace(student, id=f"{student.id}2"), deadline=day)
+        said(root, "boris2", "vera2")
+        assert read(root).by_student()["vera2"].deadline == counts
+        assert dict(shelve_register(root, "small").last) == read(root).by_student()
 
     def test_nobody_else_ever_gets_either_variant(self, root: Path) -> None:
         said(root, "petrova", "anna")

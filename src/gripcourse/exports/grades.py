@@ -4,7 +4,7 @@ Decimal points and commas between cells in every language, so that a program rea
 everywhere.
 """
 
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Collection, Container, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from datetime import UTC
 from itertools import chain
@@ -51,6 +51,7 @@ def grades_lines(
     reports: Sequence[Report],
     students: Mapping[str, Student] = _NOBODY,
     called: Called = _PLAIN,
+    left: Container[str] = (),
 ) -> Iterator[str]:
     """Return the lines of the table of the grades of a batch.
 
@@ -61,6 +62,7 @@ def grades_lines(
         students: everybody to whom something was issued, by id; who has no file among the reports
             has a row all the same, without points.
         called: the scales; a grade that points which wait for a person decide is left empty.
+        left: students who are no longer in the course: nobody waits for their works.
     """
     timed, handed_in, sections = False, set[str](), dict[str, None]()
     for one in reports:
@@ -83,7 +85,7 @@ def grades_lines(
     lacking = (
         _missing_row(student, len(header))
         for id_, student in students.items()
-        if id_ not in handed_in
+        if id_ not in handed_in and id_ not in left
     )
     return table_lines(header, chain(rows, lacking))
 

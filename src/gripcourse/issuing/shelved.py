@@ -11,7 +11,13 @@ from itertools import chain, islice
 from typing import Any, Final, Generic, TypeAlias, TypeVar
 
 from gripcourse.issuing.register import is_unchanged, refuse_changed
-from gripcourse.issuing.withdrawal import Withdrawal, as_of_person, joined_to, why_left
+from gripcourse.issuing.withdrawal import (
+    Withdrawal,
+    as_of_person,
+    joined_to,
+    why_left,
+    with_latest_deadline,
+)
 from gripcourse.machine.shelf import Shelved
 from gripcourse.variants.given_numbers import GivenNumbers, SharedNames
 from gripcourse.variants.model import Issued, Student, Variant
@@ -89,6 +95,7 @@ def shelved(
         mine = oldest_first.pop(student, [numbers[student]])
         of_others.setdefault(person, []).extend(mine)
         rows.persons.update(dict.fromkeys(mine, numbers[person]))
+        rows.others.setdefault(numbers[person], []).append(numbers[student])
     for student in joined:
         del numbers[student]
     earlier = {
@@ -168,6 +175,7 @@ class _NumberedEntries:
         names: of given numbers, with their places.
         persons: of entries that were issued under an id that was joined with a student's, the last
             entry of that student.
+        others: the other way round, the last one under each such id.
     """
 
     ids: Sequence[str]
@@ -176,10 +184,13 @@ class _NumberedEntries:
     options: Sequence[Mapping[str, str]]
     names: Sequence[Mapping[str, int]]
     persons: dict[int, int] = field(default_factory=dict)
+    others: dict[int, list[int]] = field(default_factory=dict)
 
     def entry(self, number: int) -> Issued:
         """Load an entry."""
         found = self._issued(number)
+        if number in self.others:
+            return with_latest_deadline(found, map(self._issued, self.others[number]))
         if number not in self.persons:
             return found
         return as_of_person(found, self._issued(self.persons[number]).student)

@@ -67,6 +67,18 @@ def as_of_person(entry: Issued, person: Student) -> Issued:
     return replace(entry, student=person, issued_as=entry.issued_as or entry.student.id)
 
 
+def with_latest_deadline(entry: Issued, others: Iterable[Issued]) -> Issued:
+    """Return a person's entry with the latest day that stands on any sheet of the person's.
+
+    Args:
+        entry: of the person.
+        others: the last versions under the ids that were joined with it.
+    """
+    days = [one.deadline for one in (entry, *others)]
+    latest = None if None in days else max(day for day in days if day is not None)
+    return entry if latest == entry.deadline else replace(entry, deadline=latest)
+
+
 def checked(
     wanted: Withdrawal, known: Mapping[str, Issued], withdrawals: Iterable[Withdrawal]
 ) -> Message:
@@ -101,9 +113,9 @@ def checked(
             student=wanted.student,
         )
     return message(
-        "{student} is {person} from now on, who keeps variant {variant}. Works on what {student}"
-        " was issued are those of {person} and are judged by the values on their sheet; lists with"
-        " either name are understood.",
+        "{student} is {person} from now on, who keeps variant {variant} and the later of both"
+        " deadlines. Works on what {student} was issued are those of {person} and are judged by the"
+        " values on their sheet; lists with either name are understood.",
         student=wanted.student,
         person=wanted.same_as,
         variant=known[wanted.same_as].variant.id,

@@ -6,7 +6,13 @@ from sqlalchemy import Connection, select
 
 from gripcourse.issuing import schema
 from gripcourse.issuing.register import Register
-from gripcourse.issuing.withdrawal import Withdrawal, as_of_person, joined_to, why_left
+from gripcourse.issuing.withdrawal import (
+    Withdrawal,
+    as_of_person,
+    joined_to,
+    why_left,
+    with_latest_deadline,
+)
 from gripcourse.machine.database.moments import in_utc, stored
 
 
@@ -43,6 +49,9 @@ def as_withdrawn(register: Register) -> Register:
         if one.student.id not in joined
     }
     others = [one for one in register.entries if one.student.id in joined]
+    for person in joined.values():
+        own = (one for one in others if joined[one.student.id] == person)
+        entries[person] = with_latest_deadline(entries[person], own)
     earlier = tuple(
         as_of_person(one, entries[joined[one.student.id]].student)
         if one.student.id in joined

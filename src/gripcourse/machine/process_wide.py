@@ -75,6 +75,29 @@ def calculate_in_one_thread() -> None:
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 
+def import_nothing_from_here() -> None:
+    """Let what this process starts import no module from the folder that somebody works in.
+
+    An interpreter that is started with a line of code looks there first, and a file that lies there
+    may be a stranger's work: `pickle.py` among what was handed in would be run by whoever grades.
+    """
+    os.environ["PYTHONSAFEPATH"] = "1"
+
+
+@contextmanager
+def importing_nothing_from_here() -> Iterator[None]:
+    """Do so for what is started meanwhile."""
+    before = os.environ.get("PYTHONSAFEPATH")
+    import_nothing_from_here()
+    try:
+        yield
+    finally:
+        if before is None:
+            os.environ.pop("PYTHONSAFEPATH", None)
+        else:
+            os.environ["PYTHONSAFEPATH"] = before
+
+
 def collect_rarely() -> None:
     """Collect garbage rarely from now on, in a process that runs one command or a worker's jobs."""
     gc.set_threshold(_COLLECTOR_THRESHOLD, *gc.get_threshold()[1:])

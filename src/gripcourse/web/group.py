@@ -86,7 +86,7 @@ class Wish:
         person = row.issued.student
         states = {
             GroupState.ANY: True,
-            GroupState.MISSING: row.hand_in is None,
+            GroupState.MISSING: row.hand_in is None and not row.issued.left,
             GroupState.HANDED_IN: row.hand_in is not None,
             GroupState.LATE: row.late,
             GroupState.ASKS: row.requests > 0,

@@ -1,7 +1,7 @@
 """What was handed out to who left, or under a second id, is found, judged and remembered."""
 
 import shutil
-from datetime import UTC, datetime
+from datetime import UTC, datetime, timedelta
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -14,13 +14,16 @@ from gripcourse.gradebook.enter import Draft
 from gripcourse.grading.model import KnownBy, Report
 from gripcourse.issuing.withdrawal import Withdrawal
 from gripcourse.machine.database.home import home_of
-from gripcourse.usecases.grading.batch_tables import missing
+from gripcourse.usecases.grading.batch_tables import missing, write_tables
 from gripcourse.usecases.marks.gradebook import keep
 from gripcourse.usecases.marks.history import history
 from gripcourse.usecases.marks.mark import enter_mark, what_waits
 from gripcourse.usecases.marks.opening import open_grading, register_of
 from gripcourse.usecases.marks.regrade import regrade
 from gripcourse.usecases.marks.withdraw import withdraw
+from gripcourse.usecases.serving.desk import open_books
+from gripcourse.usecases.serving.links import make_links, open_link, token_of
+from gripcourse.variants.model import Issued
 
 if TYPE_CHECKING:
     from support.classroom import Classroom
@@ -129,3 +132,24 @@ def test_nobody_waits_for_who_left_but_the_work_is_graded(root: Path, work: Path
     assert {one.id for one in missing([], open_grading(root))} == {"s01", "s02"}
     (report,) = graded(root, work)
     assert (report.student, report.judged) == ("s03", True)
+
+
+def test_who_left_has_no_row_among_those_who_are_missing(root: Path, tmp_path: Path) -> None:
+    wanted = Withdrawal("s03", "", False, "Отчислена", "Петров", NOW)
+    withdraw(wanted, root, home_of(root))
+    write_tables((), open_grading(root), tmp_path / "out")
+    csv = (tmp_path / "out" / "grades.csv").read_text(encoding="utf-8-sig")
+    assert [line.partition(",")[0] for line in csv.splitlines()] == ["student", "s01", "s02"]
+
+
+def test_a_link_that_the_second_id_got_opens_the_page_of_the_person(root: Path) -> None:
+    context = open_books(root)
+    token = token_of(context, "s03", NOW + timedelta(days=1))
+    join(root)
+    found = open_link(context, token, NOW)
+    assert isinstance(found, Issued)
+    assert found.student.id == "s01"
+    assert [one.issued.student.id for one in make_links(context, "https://x.org", 1, NOW)] == [
+        "s01",
+        "s02",
+    ]

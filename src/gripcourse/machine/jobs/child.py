@@ -37,7 +37,8 @@ def start(limits: Limits, scratch: Path | None = None) -> "subprocess.Popen[byte
     """
     place = {} if scratch is None else {"TMPDIR": str(scratch)}
     child = subprocess.Popen(  # noqa: S603 (this very program)
-        [sys.executable, "-c", _BEGIN],
+        # A file of the current folder may be called as a module, and be a stranger's.
+        [sys.executable, "-P", "-c", _BEGIN],
         stdin=subprocess.PIPE,
         stdout=subprocess.PIPE,
         stderr=subprocess.DEVNULL,

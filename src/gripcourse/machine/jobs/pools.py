@@ -26,6 +26,7 @@ from typing import Any, Final, Protocol, TypeAlias
 from gripcourse.machine.jobs.limits import Limits, keep_within, limits_of_system
 from gripcourse.machine.jobs.parcel import Packed, PackedBytes, packed_for_workers
 from gripcourse.machine.jobs.room import demand_room
+from gripcourse.machine.process_wide import import_nothing_from_here, importing_nothing_from_here
 
 Initializer: TypeAlias = Callable[..., None]
 
@@ -102,7 +103,7 @@ def _context(*modules: str) -> BaseContext:
     what this process has by then: half a second less for each worker.
     """
     if sys.platform != "linux":
-        return get_context("spawn")
+        return _spawning()
     from multiprocessing.forkserver import ensure_running  # noqa: PLC0415 (exists on Unix only)
 
     context = get_context("forkserver")
@@ -110,11 +111,17 @@ def _context(*modules: str) -> BaseContext:
     imported = [one for one in sys.modules if one.partition(".")[0] == ours]
     context.set_forkserver_preload([*modules, *imported])
     try:
-        with _deaf_to_interrupts():
+        with _deaf_to_interrupts(), importing_nothing_from_here():
             ensure_running()
     except OSError:  # it needs a place for temporary files, whose path is not too long
-        return get_context("spawn")
+        return _spawning()
     return context
+
+
+def _spawning() -> BaseContext:
+    # Each worker is started whenever a job needs one: there is no moment to put it back.
+    import_nothing_from_here()
+    return get_context("spawn")
 
 
 @contextmanager

@@ -43,7 +43,7 @@ def renew_tables(
     if printed is None:
         write_tables(reports, context, out, passed_over)
         return
-    students = (repr(issued.student) for issued in context.register.values())
+    students = (repr((one.student, one.left)) for one in context.register.values())
     digests = Shelved(digest_of_report(one) for one in reports)
     made_from = digest_of_texts(chain(digests, [repr(passed_over)], students))
     if all(printed.stands(one, made_from) for one in tables):
@@ -89,6 +89,7 @@ def write_tables(
         OSError: one of them cannot be written; those of an earlier run are untouched.
     """
     students = ViewedMapping(context.register, _student)
+    left = frozenset(id_ for id_, one in context.register.items() if one.left)
     words = Words(context.course.language)
     called = Called(context.policy.scales, words)
 
@@ -101,7 +102,7 @@ def write_tables(
     of_before = out / GRADES_JSON
     write_together(
         {
-            out / GRADES_CSV: _for_excel(lambda: grades_lines(reports, students, called)),
+            out / GRADES_CSV: _for_excel(lambda: grades_lines(reports, students, called, left)),
             out / FILES_CSV: _for_excel(lambda: files_lines(accounts(), words)),
             of_before: (
                 all_made(pieces) if taken is None else taken.before.taken_over(of_before, pieces)

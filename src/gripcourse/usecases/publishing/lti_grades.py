@@ -1,7 +1,7 @@
 """Published results go to the gradebook of the platform: each once, and again where it changed."""
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import StrEnum
 from typing import Final
 
@@ -98,7 +98,7 @@ def send_grades(context: DeskContext, access: Access, wanted: ScoreOrder) -> Ite
     column = _column(store, access.platform, wanted.line_item)
     open_access(access, [SCORE_SCOPE] if column.line_item else [SCORE_SCOPE, LINE_ITEM_SCOPE])
     address = column.line_item or _made(access, column, context)
-    bonds, unanswered = _bonds(store, access.platform), 0
+    bonds, unanswered = _bonds(context, store, access.platform), 0
     # The same column and the same user: what was sent last is what stands there.
     last = {(one.line_item, one.user): one for one in store.sent()}
     for student, issued in context.register().items():
@@ -186,12 +186,14 @@ def _sent(store: LtiStore, access: Access, bond: Bond, one: _Sent) -> Sending:
     return Sending(bond.student, ScoreFate.SENT)
 
 
-def _bonds(store: LtiStore, platform: Platform) -> dict[str, list[Bond]]:
-    """Return who of a platform each student is."""
+def _bonds(context: DeskContext, store: LtiStore, platform: Platform) -> dict[str, list[Bond]]:
+    """Return who of a platform each student is, under whatever id that was."""
     found: dict[str, list[Bond]] = {}
     for one in store.bonds().values():
         if (one.issuer, one.client) == (platform.issuer, platform.client_id):
-            found.setdefault(one.student, []).append(one)
+            issued = context.find(one.student)
+            student = one.student if issued is None else issued.student.id
+            found.setdefault(student, []).append(replace(one, student=student))
     return found
 
 

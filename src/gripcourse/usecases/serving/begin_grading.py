@@ -42,7 +42,7 @@ def begin_grading(
         what = message("Nobody has handed in a workbook yet.")
         raise UsageError([Problem("", "", what, message("There is nothing to grade."))])
     command = [
-        *(sys.executable, "-m", "gripcourse", "grade", str(work), "--quiet"),
+        *(sys.executable, "-P", "-m", "gripcourse", "grade", str(work), "--quiet"),
         *("--course", str(context.course.root), "--out", str(graded)),
         *("--workers", str(workers), f"--by={by}", f"--why={why}"),
     ]
