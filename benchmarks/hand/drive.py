@@ -96,6 +96,11 @@ def motor(n: Notebook, friction_angle: float) -> None:
     """
     n["self_locking"] = n["lead_angle"] < friction_angle
     n["total_efficiency"] = n["mechanism_efficiency"] * n["drive_efficiency"]
+    motor_of(n)
+
+
+def motor_of(n: Notebook) -> None:
+    """Choose the motor and its reducer by the whole efficiency."""
     useful = 2 * n["grip_force"] * n["jaw_speed"] / 1000
     n["motor_power_required"] = useful / n["total_efficiency"]
     watts = n["motor_power_required"]

@@ -4,6 +4,9 @@ from math import hypot, sqrt
 
 from hand.notebook import Notebook, arctangent, cosine, direction, sine, tangent
 
+# Their jaws go straight across, at the end of the range that counts: a guide takes the rest.
+_STRAIGHT = {"screw", "tangent_slider", "pinion_racks", "wedge_slide", "rack_parallelogram"}
+
 
 def grip(n: Notebook, jaws: int = 2) -> None:
     """Find the grip force by the model of the variant."""
@@ -143,20 +146,32 @@ def fingers(n: Notebook) -> None:
 def kept_closed(n: Notebook, side: str) -> float:
     """Return the force at a jaw, across the axis, that balances what opens its finger."""
     opening, pull = n[f"finger_opening_{side}"], n[f"finger_pull_{side}"]
-    if n.sheet.scheme in {"screw", "tangent_slider"}:
-        return opening  # a jaw that slides across: its guide takes the rest
+    if n.sheet.scheme in _STRAIGHT:
+        return opening
     if n.sheet.scheme == "prism_lever":
-        return about_the_pivot(n, side)
+        height, beside = n["apex_height"], n["pivot_half_distance"]
+        return about_the_pivot(n, side, (height, beside, n["nominal_diameter"] / 2))
+    if "finger_spacing" in n:  # jaws fixed to their levers: both ends of the range
+        beside = n["finger_spacing"] / 2
+        return max(
+            about_the_pivot(n, side, (n[f"finger_length_{end}"], beside, n[f"diameter_{size}"] / 2))
+            for end, size in (("at_max", "max"), ("at_min", "min"))
+        )
     # A jaw that turns on its pin: the pin goes across by l·cos χ and back by l·sin χ.
     ends = (n["grip_arm_tilt_at_max"], n["grip_arm_tilt_at_min"])
     return max(opening - pull * tangent(one) for one in ends)
 
 
-def about_the_pivot(n: Notebook, side: str) -> float:
-    """Return the moment about the pivot of a lever over the height of the object's centre."""
-    f, radius = n["friction"], n["nominal_diameter"] / 2
+def about_the_pivot(n: Notebook, side: str, place: tuple[float, float, float]) -> float:
+    """Return the moment of the forces on a jaw about its lever's pivot, over the grip force's arm.
+
+    Args:
+        n: the calculation.
+        side: of the jaw.
+        place: of the object's centre before the pivot, of the pivot beside the axis; radius.
+    """
+    f, (height, beside, radius) = n["friction"], place
     ahead, behind = (1, 3) if side == "right" else (2, 4)
-    height, beside = n["apex_height"], n["pivot_half_distance"]
     moment = 0.0
     for point, sign in ((ahead, 1), (behind, -1)):
         phi = n[f"contact_angle_{point}"]

@@ -149,6 +149,13 @@ _OF_SCHEMES: Final = {
     "slot_crosshead": (*SLOTS, *_GRIP, *_LEVERS),
     "link_lever_3": (*LINKS, *_GRIP, *_LEVERS),
     "wedge_roller_3": (*WEDGES, *_GRIP, *_LEVERS),
+    **dict.fromkeys(
+        ("link_lever_2", "wedge_roller", "slot_lever", "plain_lever"), (*_GRIP, *_LEVERS)
+    ),
+    **dict.fromkeys(
+        ("rack_parallelogram", "pinion_racks", "wedge_slide", "cross_cylinder"),
+        (*_GRIP, *_LEVERS),
+    ),
     "vacuum_cups": VACUUM,
     "electromagnet": MAGNET,
 }

@@ -13,7 +13,8 @@ def mount(n: Notebook) -> None:
         return
     n["mount_bending"] = load * n["overall_length"] / 1000
     n["mount_torque"] = load * n["load_offset"] / 1000
-    flange(n, 1.2 * n["bore"] if "bore" in n else 0.0)
+    beside = any("inside the bolt heads" in one.title for one in n.sheet.tables)
+    flange(n, 1.2 * n["bore"] if beside else 0.0)
 
 
 def flange(n: Notebook, barrel: float = 0.0) -> None:

@@ -83,13 +83,18 @@ def prism_plate(n: Notebook) -> None:
     n.choose("jaw_thickness", "Ra20", thickness)
 
 
-def pins(n: Notebook) -> None:
-    """Size the pins by shear, check the first one in bearing, accept one that bears both."""
+def pins(n: Notebook, length: float | None = None) -> None:
+    """Size the pins by shear, check the first one in bearing, accept one that bears both.
+
+    Args:
+        n: the calculation.
+        length: of the pin; None for the width of the lever.
+    """
     force = n["pin_force"]
     area = force / (n["shear_planes"] * n["shear_stress_allowed"])
     n["pin_diameter_required"] = sqrt(4 * area / pi)
     n.choose("pin_diameter_first", "diameters of pins", n["pin_diameter_required"])
-    n["pin_length"] = n["lever_width"]
+    n["pin_length"] = n["lever_width"] if length is None else length
     allowed = n["bearing_stress_allowed"]
     n["bearing_stress"] = force / (n["pin_diameter_first"] * n["pin_length"])
     n["bearing_ok"] = n["bearing_stress"] <= allowed
@@ -114,14 +119,20 @@ def drilled_lever(n: Notebook) -> None:
     n.choose("lever_thickness", "Ra20", max(first, first * sqrt(over), slender))
 
 
-def plain_finger(n: Notebook) -> None:
-    """Size a finger whose dangerous section has no hole."""
+def plain_finger(n: Notebook, pin_length: float | None = None, *, eye: bool = True) -> None:
+    """Size a finger whose dangerous section has no hole.
+
+    Args:
+        n: the calculation.
+        pin_length: length of the pin; None for the width of the lever.
+        eye: whether the pin goes through the finger.
+    """
     bending = 6000 * n["lever_bending_moment"] / n["lever_width"]
     n["lever_thickness_required"] = sqrt(bending / n["bending_stress_allowed"])
-    pins(n)
+    pins(n, pin_length)
     least = max(
         n["lever_thickness_required"],
         n["lever_width"] / n["slenderness_allowed"],
-        n["eye_factor"] * n["pin_diameter"],
+        n["eye_factor"] * n["pin_diameter"] if eye else 0.0,
     )
     n.choose("lever_thickness", "Ra20", least)

@@ -117,6 +117,10 @@ def tilts(n: Notebook) -> None:
     for one in _POSITIONS:
         beyond = radius_of(n, one) - n["pivot_offset"]
         n[f"grip_arm_tilt_{one}"] = arcsine(beyond / n["grip_arm"])
+    if n.asks("finger_spacing"):
+        n["finger_spacing"] = 2 * n["pivot_offset"]
+        for one in _ENDS:
+            n[f"finger_length_{one}"] = n["grip_arm"] * cosine(n[f"grip_arm_tilt_{one}"])
 
 
 def ahead(n: Notebook) -> float:

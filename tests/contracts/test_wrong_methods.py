@@ -29,6 +29,7 @@ SAME_IN_THE_EXAMPLE: Mapping[str, Mapping[str, str]] = {
         "bore_required: reserve_counted": "the guide's example has no reserve",
         "pin_diameter_first: E13": "the right force asks for 11.03 mm, whose nearest size is 12",
         "lifting_load: E16": "the example is computed with the printed gravity",
+        "reduced_modulus: mean_of_both": "jaw and object of the guide's example have one modulus",
     },
 }
 # Errata that few variants can show. No variant is refused for an erratum: a course may accept it.

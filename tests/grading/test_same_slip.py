@@ -133,6 +133,22 @@ class TestEveryPosition:
         assert len(links.lost(wrong)) == 1
 
 
+class TestOneNumberAtBothEnds:
+    def test_what_gives_it_at_both_costs_once_though_it_may_be_copied(
+        self, table: "tuple[Case, ...]"
+    ) -> None:
+        # P/F of a wedge is 3·(b/c)·tan(θ + ρ) at both ends where the tilts are left out.
+        wedge = next(one for one in table if one.plan.scheme.id == "wedge_roller_3")
+        arms = wedge.given["grip_arm"] / wedge.given["roller_arm"]
+        face = radians(wedge.given["wedge_angle"] + wedge.given["friction_angle"])
+        wrong = wedge.following(**dict.fromkeys(ENDS, 3 * arms * tan(face)))
+        assert len(wedge.lost(wrong)) == 1
+
+    def test_a_number_that_no_method_gives_costs_at_each_end(self, levers: "Case") -> None:
+        between = 1.234 * max(levers.reference[name] for name in ENDS)
+        assert levers.lost(levers.following(**dict.fromkeys(ENDS, between))) == {*ENDS}
+
+
 class TestTheLoadAtTheFlange:
     def test_a_factor_left_out_of_both_moments_costs_once(self, table: "tuple[Case, ...]") -> None:
         # Whoever takes the load as G takes it so for bending and for torque.

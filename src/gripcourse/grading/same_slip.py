@@ -7,7 +7,8 @@ the largest object. So is the wrong row of a table of which several columns are 
 formula declares and the general kinds find in another is the same where it computes alike.
 """
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections import Counter
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from typing import TypeAlias
 
 from gripcourse.course.quantity import Kind
@@ -41,13 +42,37 @@ def same_slip_once(case: GradingCase, judged: Sequence[JudgedAnswer]) -> list[Ju
         The same in the same order.
     """
     first: dict[_Mistake, str] = {}
+    in_doubt = _alike_in_doubt(case, judged)
     for one in in_order_of_steps(case, judged):
-        named = _named(case, one)
+        named = _named(case, one) or _met(case, one, in_doubt)
         # Of several that a number does not tell apart, the one that was made before was made again.
         root = next((first[mistake] for mistake in named if mistake in first), one.quantity.id)
         for mistake in named:
             first.setdefault(mistake, root)
     return [_once(case, one, first) for one in judged]
+
+
+def _alike_in_doubt(case: GradingCase, judged: Sequence[JudgedAnswer]) -> set[_Alike]:
+    """Return what several wrong answers have in common that nothing explains.
+
+    A number that stands at both ends may have been copied there: that rivals the method that gives
+    it at both, and neither is named. One method is met at both by chance seldom.
+    """
+    unexplained = [set(_likenesses(case, one)) for one in judged if is_unexplained(case, one)]
+    counts = Counter(alike for of_one in unexplained for alike in of_one)
+    return {alike for alike, count in counts.items() if count > 1}
+
+
+def _met(case: GradingCase, judged: JudgedAnswer, in_doubt: Collection[_Alike]) -> list[_Mistake]:
+    """Return the methods that give an answer which nothing explains, as it gives those alike."""
+    comparison = judged.comparison
+    if comparison is None or not is_unexplained(case, judged):
+        return []
+    likenesses = [one for one in _likenesses(case, judged) if one in in_doubt]
+    if not likenesses:
+        return []
+    met = weigh(comparison, case.candidates_of(judged.quantity.id))
+    return [(one.candidate.id, alike) for one in met for alike in likenesses]
 
 
 def _likenesses(case: GradingCase, judged: JudgedAnswer) -> Iterator[_Alike]:
