@@ -225,6 +225,17 @@ def v_belt() -> Case:
     return _belt_example("v_belt")
 
 
+@pytest.fixture(scope="session")
+def belt_table() -> tuple[Case, ...]:
+    """Every variant that the second course issues."""
+    belts = load_course(BELTS)
+    policy = load_policy(belts)
+    return tuple(
+        make_case(make_plan(belts, one.scheme, one.options), one.given, policy, one.id)
+        for one in issued_table(belts)
+    )
+
+
 def _belt_example(name: str) -> Case:
     belts = load_course(BELTS)
     scheme = belts.schemes[name]

@@ -245,3 +245,18 @@ def test_a_given_number_left_out_of_two_sums_costs_once(
         forgotten = case.following(release_travel=0.0)
         off = {name: typed(name, forgotten[name], 5) for name in names}
         assert case.lost({**forgotten, **off}) == {names[0]}, case.label
+
+
+def test_a_size_far_from_the_right_one_and_its_verdict_cost_once(
+    belt_table: "tuple[Case, ...]",
+) -> None:
+    """A required ratio of 3.6 for 1.6 gives a pulley nobody takes by chance, and a ratio to suit."""
+    tried = 0
+    for case in belt_table:
+        ratio = case.given["ratio_wanted"]
+        answers = case.following(ratio_wanted=ratio + (2 if ratio < 3 else -2))
+        others = {name for name, value in answers.items() if value != case.reference[name]}
+        if {"large_diameter", "ratio_ok"} <= others:
+            tried += 1
+            assert len(case.lost(answers)) <= 1, case.label
+    assert tried >= 3

@@ -10,6 +10,8 @@ from gripcourse.course.quantity import Kind
 from gripcourse.grading.outcome import Outcome
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from conftest import Case
 
 WORKS = 6
@@ -92,15 +94,20 @@ def test_a_work_of_one_right_section_keeps_what_it_earned(hydraulic: "Case") -> 
     assert all(findings[name].outcome is Outcome.CORRECT for name in section)
 
 
+def neighbours_shares(table: "Sequence[Case]", most: int | None = None) -> list[float]:
+    """What the next variant's right answers earn, of the points that no person gives."""
+    alike = sorted(table, key=lambda case: case.plan.scheme.id)
+    pairs = [pair for pair in pairwise(alike) if pair[0].plan.scheme.id == pair[1].plan.scheme.id]
+    reports = [
+        case.judge({name: n for name, n in other.answers.items() if name in case.answers})
+        for case, other in pairs[:most]
+    ]
+    return [one.score / (one.max_score - one.open_points) for one in reports]
+
+
 def test_a_neighbours_consistent_numbers_earn_next_to_nothing(table: "tuple[Case, ...]") -> None:
     """They follow from each other, but for those that use what was issued to somebody else."""
-    shares: list[float] = []
-    alike = sorted(table, key=lambda case: case.plan.scheme.id)
-    for case, other in pairwise(alike[: len(alike) // 3]):
-        if case.plan.scheme.id == other.plan.scheme.id and len(shares) < WORKS:
-            theirs = {name: n for name, n in other.answers.items() if name in case.answers}
-            report = case.judge(theirs)
-            shares.append(report.score / (report.max_score - report.open_points))
+    shares = neighbours_shares(table, WORKS)
     assert len(shares) == WORKS
     assert sum(shares) / WORKS <= 0.05
 
@@ -123,3 +130,66 @@ def test_what_follows_from_a_number_of_somebody_else_is_not_computed_from_ones_o
     }
     report = flat_belt.judge(flat_belt.following(**theirs))
     assert report.score <= 0.2 * report.max_score
+
+
+def test_sizes_that_suit_other_issued_numbers_speak_against_a_calculation(v_belt: "Case") -> None:
+    """Six of nine issued numbers are another's: two are found out, a size and two answers stay."""
+    theirs = {
+        "motor_speed": 1460.0,
+        "ratio_wanted": 4.1,
+        "slip_ratio": 0.02,
+        "efficiency": 0.93,
+        "layout_distance": 1690.0,
+        "service_factor": 1.5,
+    }
+    report = v_belt.judge(v_belt.following(**theirs))
+    assert report.score <= 0.2 * report.max_score
+
+
+@pytest.mark.parametrize(
+    "given", ["motor_speed", "ratio_wanted", "service_factor", "layout_distance"]
+)
+def test_a_size_that_suits_one_misread_number_costs_nobody_the_work(
+    v_belt: "Case", given: str
+) -> None:
+    misread = v_belt.following(**{given: 1.2 * v_belt.given[given]})
+    report = v_belt.judge(misread)
+    assert not any(one.outcome is Outcome.UNSUPPORTED for one in report.findings)
+
+
+def mostly_wrong(case: "Case") -> dict[str, float]:
+    """Two thirds of the computed answers are off by a tenth, each by itself; the rest is right."""
+    computed = [one.id for one in case.plan.answered if one.kind is Kind.FORMULA]
+    wrong = {name: 1.1 * case.reference[name] for place, name in enumerate(computed) if place % 3}
+    return {**case.answers, **wrong}
+
+
+def test_a_number_near_the_right_one_was_not_computed_from_wrong_ones(flat_belt: "Case") -> None:
+    """It lies in its band by chance, as a neighbour's angle does; exactly right it counts."""
+    answers = {**mostly_wrong(flat_belt), "small_diameter": 999.0}
+    right = flat_belt.reference["wrap_angle"]
+    near = flat_belt.findings({**answers, "wrap_angle": 1.008 * right})["wrap_angle"]
+    exact = flat_belt.findings({**answers, "wrap_angle": right})["wrap_angle"]
+    assert (near.outcome, near.points) == (Outcome.UNSUPPORTED, 0.0)
+    assert "small_diameter" in near.roots
+    assert (exact.outcome, exact.points) == (Outcome.CORRECT, exact.max_points)
+
+
+def test_a_number_near_the_right_one_counts_where_it_rests_on_nothing_wrong(
+    flat_belt: "Case",
+) -> None:
+    answers = {
+        **mostly_wrong(flat_belt),
+        "torque_small": 1.008 * flat_belt.reference["torque_small"],
+    }
+    finding = flat_belt.findings(answers)["torque_small"]
+    assert (finding.outcome, finding.points) == (Outcome.CORRECT, finding.max_points)
+
+
+def test_neighbours_numbers_earn_next_to_nothing_where_few_answers_use_issued_ones(
+    belt_table: "tuple[Case, ...]",
+) -> None:
+    """Of a belt drive's answers most follow from a few, and an angle of wrap is near another's."""
+    shares = neighbours_shares(belt_table)
+    assert len(shares) == len(belt_table) - 2
+    assert sum(shares) / len(shares) <= 0.02

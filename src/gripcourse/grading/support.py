@@ -7,7 +7,7 @@ most of its computed answers are right, follow, or are understood, every consequ
 most are neither, an answer counts only if what it rests on does.
 """
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Final
 
@@ -20,6 +20,8 @@ from gripcourse.solver.plan import Plan, depends_on_given
 from gripcourse.text.words import message
 
 _FEW: Final = 2  # mistakes that somebody makes who calculated
+# What may not suit what was issued; a yes or no is wrong by chance.
+_FOUND: Final = frozenset({Kind.FORMULA, Kind.CHOICE, Kind.PICK})
 
 
 def withhold_unsupported(case: GradingCase, judged: Sequence[JudgedAnswer]) -> list[JudgedAnswer]:
@@ -34,11 +36,7 @@ def withhold_unsupported(case: GradingCase, judged: Sequence[JudgedAnswer]) -> l
     """
     if is_calculated(case, judged):
         return list(judged)
-    by_id = {one.quantity.id: one for one in judged}
-    earned: dict[str, bool] = {}
-    for name in case.plan.quantities:
-        if name in by_id and by_id[name].judgement.outcome.traits.typed:
-            earned[name] = _is_earned(case, by_id[name], earned)
+    earned = _earned(case, judged)
     return [
         _withheld(case, one, earned) if not earned.get(one.quantity.id, True) else one
         for one in judged
@@ -50,24 +48,21 @@ def is_calculated(case: GradingCase, judged: Sequence[JudgedAnswer]) -> bool:
 
     Those that use issued numbers are also looked at by themselves: all others follow from each
     other in a neighbour's work as well. Zeros that follow from zeros, rough numbers and known slips
-    speak neither for nor against it.
+    speak neither for nor against it. A size or an entry of a table that does not suit what was
+    issued speaks against it; one that does is met by chance.
     """
-    computed = [
-        one
-        for one in judged
-        if one.quantity.kind is Kind.FORMULA and one.comparison is not None and not _is_nothing(one)
-    ]
+    numbers = [one for one in judged if one.comparison is not None and not _is_nothing(one)]
+    computed = [one for one in numbers if one.quantity.kind is Kind.FORMULA]
+    found = [one for one in numbers if one.quantity.kind in _FOUND]
     counted = _counted(computed, _is_unexplained)
     share = case.policy.calculated_share
     if not counted.calculated or counted.share < share:
         return False
     # One or two numbers are read wrongly; who has more of them wrong has somebody else's.
-    misread = {one.judgement.slip for one in computed if _is_misread(case.plan, one)}
+    misread = {one.judgement.slip for one in found if _is_misread(case.plan, one)}
     is_mistaken = _is_mistake if len(misread) > _FEW else _is_unexplained
     own = [
-        one
-        for one in computed
-        if _uses_issued(case.plan, one.quantity.id) and not _is_forgiven(one)
+        one for one in found if _uses_issued(case.plan, one.quantity.id) and not _is_forgiven(one)
     ]
     counted = _counted(own, is_mistaken)
     return counted.mistaken <= _FEW or counted.share >= share
@@ -86,7 +81,10 @@ class _Counted:
 
 
 def _counted(judged: Sequence[JudgedAnswer], counts: Callable[[JudgedAnswer], bool]) -> _Counted:
-    calculated = sum(one.judgement.outcome.traits.calculated for one in judged)
+    calculated = sum(
+        one.judgement.outcome.traits.calculated and one.quantity.kind is Kind.FORMULA
+        for one in judged
+    )
     return _Counted(calculated, sum(map(counts, judged)))
 
 
@@ -129,16 +127,43 @@ def _is_nothing(judged: JudgedAnswer) -> bool:
     return within(comparison.value, 0.0, comparison.band_round(0.0))
 
 
-def _is_earned(case: GradingCase, judged: JudgedAnswer, earned: Mapping[str, bool]) -> bool:
+def _earned(case: GradingCase, judged: Sequence[JudgedAnswer]) -> dict[str, bool]:
+    """Tell of each answer that was typed whether it was earned."""
+    by_id = {one.quantity.id: one for one in judged}
+    earned: dict[str, bool] = {}
+    spoiled: set[str] = set()  # what is wrong, or rests on what is, and was not earned
+    for name in case.plan.quantities:
+        if name in by_id and by_id[name].judgement.outcome.traits.typed:
+            basis = tuple(_basis(case.plan, name, earned))
+            earned[name] = _is_earned(case, by_id[name], basis, earned, spoiled)
+            is_wrong = by_id[name].judgement.outcome.traits.mistake
+            if not earned[name] and (is_wrong or not spoiled.isdisjoint(basis)):
+                spoiled.add(name)
+    return earned
+
+
+def _is_earned(
+    case: GradingCase,
+    judged: JudgedAnswer,
+    basis: Sequence[str],
+    earned: Mapping[str, bool],
+    spoiled: Collection[str],
+) -> bool:
     traits = judged.judgement.outcome.traits
     if not (traits.calculated or traits.named) or _is_nothing(judged):
         return False
     # Nobody meets a computed number within its band by guessing; the same one for all is known.
+    # What is right beside wrong numbers that it rests on was not computed with them.
     is_met = traits.equals_reference and not judged.quantity.exact
     if is_met and depends_on_given(case.plan, judged.quantity.id):
-        return True
-    basis = list(_basis(case.plan, judged.quantity.id, earned))
+        return spoiled.isdisjoint(basis) or _is_exactly_right(judged)
     return bool(basis) and all(earned[name] for name in basis)
+
+
+def _is_exactly_right(judged: JudgedAnswer) -> bool:
+    """Tell whether an answer is the reference as exactly as it was typed, not only in its band."""
+    comparison = judged.comparison
+    return comparison is not None and comparison.meets_as_typed(comparison.reference)
 
 
 def _basis(plan: Plan, name: str, answered: Mapping[str, bool]) -> Iterator[str]:

@@ -16,7 +16,7 @@ from gripcourse.grading.submission_case import GradingCase, JudgedAnswer
 from gripcourse.grading.unwritten import carried_here, unwritten_before
 from gripcourse.text.units import factor
 
-# How likely a size or a verdict comes out so by chance, where it is wrong.
+# How likely a size or a verdict comes out so by chance, where it is wrong: of sizes the next one.
 _BY_CHANCE: Final[Mapping[Kind, float]] = {Kind.CHOICE: 0.15, Kind.VERDICT: 0.5}
 # A zero has no last digit, and comes out by many mistakes.
 _ZERO = 0.2
@@ -67,10 +67,28 @@ def wrong_answers(case: GradingCase, judged: Sequence[JudgedAnswer]) -> list[Wro
         if math.isnan(alone):
             alone = unexplained(comparison)
         alone = _ZERO if comparison.value == 0 else alone
-        alone = _BY_CHANCE.get(one.quantity.kind, alone)
+        alone = _BY_CHANCE.get(one.quantity.kind, alone) / _steps(comparison)
         habits = tuple(_habits(comparison))
         found[one.quantity.id] = WrongAnswer(comparison, alone, habits, is_far, is_free)
     return [found[name] for name in case.plan.quantities if name in found]
+
+
+def _steps(comparison: Comparison) -> int:
+    """Count how far a size lies from the right one in its series; 1 for the next, and elsewhere.
+
+    A wrong size is often the next one; far ones come of something else that is wrong.
+    """
+    choice = comparison.quantity.choice
+    if choice is None:
+        return 1
+    sizes = np.sort(comparison.plan.columns[choice.column].sizes)
+
+    def place(size: float) -> int:
+        return int(np.argmin(np.abs(sizes - size * factor(comparison.quantity.unit))))
+
+    right = [one for one in (comparison.reference, comparison.expected) if math.isfinite(one)]
+    apart = [abs(place(comparison.value) - place(one)) for one in right]
+    return max(1, min(apart, default=1))
 
 
 def _is_far(judgement: Judgement) -> bool:
