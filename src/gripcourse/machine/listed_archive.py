@@ -79,7 +79,7 @@ class _Listed:
             self.borrowed.stream = stream
             try:
                 if self.opened is None:
-                    self.opened = zipfile.ZipFile(self.borrowed)  # type: ignore[call-overload]
+                    self.opened = zipfile.ZipFile(self.borrowed)
                 return ask(self.opened)
             finally:
                 self.borrowed.stream = None

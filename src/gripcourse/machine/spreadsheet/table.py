@@ -121,8 +121,8 @@ def _rows(
         for number, of_row in sorted(cells.items())
     }
     _fill_down(values, merged)
-    cells = within_bounds(map(_in_a_row, values.values()))
-    rows = (TableRow(number, one) for number, one in zip(values, cells, strict=True))
+    shown = within_bounds(map(_in_a_row, values.values()))
+    rows = (TableRow(number, one) for number, one in zip(values, shown, strict=True))
     return tuple(row for row in rows if row.cells)
 
 
