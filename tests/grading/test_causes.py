@@ -250,7 +250,7 @@ def test_a_given_number_left_out_of_two_sums_costs_once(
 def test_a_size_far_from_the_right_one_and_its_verdict_cost_once(
     belt_table: "tuple[Case, ...]",
 ) -> None:
-    """A required ratio of 3.6 for 1.6 gives a pulley nobody takes by chance, and a ratio to suit."""
+    """A required ratio of 3.6 for 1.6 gives a pulley that nobody takes by chance, and suits it."""
     tried = 0
     for case in belt_table:
         ratio = case.given["ratio_wanted"]

@@ -7,7 +7,7 @@ most of its computed answers are right, follow, or are understood, every consequ
 most are neither, an answer counts only if what it rests on does.
 """
 
-from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Final
 
@@ -147,7 +147,7 @@ def _is_earned(
     judged: JudgedAnswer,
     basis: Sequence[str],
     earned: Mapping[str, bool],
-    spoiled: Collection[str],
+    spoiled: set[str],
 ) -> bool:
     traits = judged.judgement.outcome.traits
     if not (traits.calculated or traits.named) or _is_nothing(judged):
