@@ -2,9 +2,9 @@
 
 Positions, sides and directions are computed by one formula with other numbers. A factor left out of
 it, or a sign the wrong way round, is one mistake wherever it is written down. So it is at every
-position of a mechanism, where one formula has a term more: open jaws stand a release travel beyond
-the largest object. So is the wrong row of a table of which several columns are asked for. What one
-formula declares and the general kinds find in another is the same where it computes alike.
+position of what moves, though one formula has a term more than another. So is the wrong row of a
+table of which several columns are asked for. What one formula declares and the general kinds find
+in another is the same where it computes alike.
 """
 
 from collections import Counter
