@@ -146,8 +146,8 @@ def test_a_batch_is_the_command_of_the_command_line_on_the_last_workbooks_as_the
     handed_in(server, "s02", "a.xlsx", b"PK workbook")
     handed_in(server, "s02", "b.PDF", b"drawing")
     begin_grading(server.context, server.graded, 2, "Dr. Ray", "once")
-    assert asked[0][1:4] == ["-m", "gripcourse", "grade"]
-    work = Path(asked[0][4])
+    assert asked[0][1:5] == ["-P", "-m", "gripcourse", "grade"]
+    work = Path(asked[0][5])
     assert (work / "s02.xlsx").read_bytes() == b"PK workbook"
     assert (work / "s02.xlsx").stat().st_mtime == server.clock.now.timestamp()
     assert "--out" in asked[0]

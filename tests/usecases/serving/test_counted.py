@@ -74,7 +74,7 @@ class Term:
             begin_grading(self.context, self.folder, 0, "Dr. Ray")
         (command,) = begun.call_args.args
         said = [one.partition("=")[2] for one in command if one.startswith("--handed-in=")]
-        files = collect([Path(command[4])]).files
+        files = collect([Path(command[5])]).files
         context = GradingContext(self.context.course, self.context.policy, self.context.register())
         graded = [Graded(grade_file(one, context), "") for one in files]
         times = handed_in_times(said, files, ZoneInfo("UTC"))

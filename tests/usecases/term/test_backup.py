@@ -242,9 +242,12 @@ def changed(
     return path
 
 
+LATER_TABLES = ("tables/lti_", "tables/desk_batch", "tables/register_withdrawal")
+
+
 def _without(members: Members, columns: set[str]) -> None:
     """Take columns out of all tables, and tables out that came later still."""
-    for name in [one for one in members if one.startswith(("tables/lti_", "tables/desk_batch"))]:
+    for name in [one for one in members if one.startswith(LATER_TABLES)]:
         del members[name]
     for name in [one for one in members if one.startswith("tables/")]:
         head, *rows = [json.loads(line) for line in members[name].splitlines()]

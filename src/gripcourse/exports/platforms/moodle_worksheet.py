@@ -7,13 +7,13 @@ byte for byte. A date of the last grade that Moodle wrote and cannot read again 
 the row: it is written so that it can.
 """
 
-import math
 import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Final
 
 from gripcourse.errors import Problem, UsageError
+from gripcourse.exports.platforms.moodle_grade import grade_of, is_other_grade
 from gripcourse.exports.platforms.moodle_words import (
     HEADINGS,
     MONTHS,
@@ -162,7 +162,10 @@ def fill_worksheet(
         if worksheet.cell(cells, MoodleColumn.CHANGEABLE) in NOT_CHANGEABLE:
             notes.append(_locked(work, row))
             continue
-        value = _grade(worksheet, cells, work, row)
+        scale, maximum = (
+            worksheet.cell(cells, one) for one in (MoodleColumn.SCALE, MoodleColumn.MAXIMUM)
+        )
+        value = grade_of(work, scale, maximum, worksheet.table.file, row)
         if not value:
             notes.append(_waiting(work, row))
             continue
@@ -171,7 +174,7 @@ def fill_worksheet(
         if changed[place][date].strip() not in _NONE and not _is_readable(changed[place][date]):
             notes.append(_odd_date(work, row, changed[place][date]))
     updates = sum(
-        _compared(worksheet.table.rows[place][grade]) != _compared(cells[grade])
+        is_other_grade(cells[grade], worksheet.table.rows[place][grade])
         for place, cells in changed.items()
     )
     content = worksheet.table.with_rows(changed)
@@ -219,50 +222,6 @@ def _filled(
     return tuple(filled)
 
 
-def _grade(worksheet: Worksheet, cells: Sequence[str], work: GradedWork, row: PlatformRow) -> str:
-    """Return the grade of a work as the platform counts: points, or a word of its scale.
-
-    Empty where the word waits for a person's points.
-    """
-    words = worksheet.cell(cells, MoodleColumn.SCALE)
-    if words:
-        return _word(words.splitlines(), work, worksheet.table.file, row)
-    written = worksheet.cell(cells, MoodleColumn.MAXIMUM)
-    maximum = _number(written) if written else work.total
-    if maximum is None or not 0 < maximum < math.inf:
-        what = message("The assignment has a scale of words there, no points.")
-        raise UsageError([Problem(worksheet.table.file, _row(row), what, _points_instead())])
-    return f"{work.share * maximum:.2f}"
-
-
-def _word(words: Sequence[str], work: GradedWork, file: str, row: PlatformRow) -> str:
-    """Return which word of the platform's scale one of the policy's scales calls a work."""
-    known = {word.strip().casefold(): word.strip() for word in words}
-    scales = work.report.scales
-    found = {known[one.casefold()] for one in scales.values() if one and one.casefold() in known}
-    if len(found) == 1:
-        return found.pop()
-    if not found and scales and work.report.open_points:
-        return ""
-    what = message(
-        "The assignment has a scale of words there: {words}. The policy calls this work {found}.",
-        words="; ".join(known.values()),
-        found="; ".join(filter(None, scales.values())) or "—",
-    )
-    raise UsageError([Problem(file, _row(row), what, _points_instead())])
-
-
-def _row(row: PlatformRow) -> Message:
-    return message("row {row}", row=row.line)
-
-
-def _points_instead() -> Message:
-    return message(
-        "Set the assignment to points in Moodle and export the worksheet again, or declare a scale"
-        " with the same words in the policy."
-    )
-
-
 def _without_maximum(worksheet: Worksheet, matching: Matching) -> Iterator[Message]:
     """Say by which points grades are written where the worksheet does not say what Moodle's are."""
     if {MoodleColumn.MAXIMUM, MoodleColumn.SCALE} & worksheet.columns.keys():
@@ -274,20 +233,6 @@ def _without_maximum(worksheet: Worksheet, matching: Matching) -> Iterator[Messa
             column=HEADINGS[worksheet.language][MoodleColumn.MAXIMUM],
             total=total,
         )
-
-
-def _number(written: str) -> float | None:
-    """Return a number as Moodle writes it in any language; None for none."""
-    try:
-        return float("".join(written.split()).replace(",", "."))
-    except ValueError:
-        return None
-
-
-def _compared(written: str) -> float | str:
-    """Return what tells whether a grade is another one: a number, or the word of a scale."""
-    number = _number(written)
-    return written.strip() if number is None else number
 
 
 def _readable_date(written: str, language: str) -> str:
