@@ -7,7 +7,7 @@ from hand.grip import grip
 from hand.mount import mount, overall
 from hand.notebook import Notebook, cosine, sine, tangent
 from hand.parts import drilled_lever, jaws
-from hand.pushed import ahead, governing, lever_moment, tilts
+from hand.pushed import ahead, bent_levers, governing, lever_moment, tilts
 from hand.turned import travel
 
 _ENDS = ("at_max", "at_min")
@@ -58,15 +58,8 @@ def plain_lever(n: Notebook) -> None:
     """Solve bent levers on whose rollers a plate presses."""
     travel(n)
     n["pivot_offset"] = n["pivot_spacing"] / 2 - n["jaw_offset"]
-    tilts(n)
-    grip(n)
+    bent_levers(n, 90 - n["drive_arm_tilt"])
     arm, force = n["drive_arm"], n["grip_force"]
-    for one in ("open", *_ENDS):
-        n[f"drive_arm_angle_{one}"] = 90 - n["drive_arm_tilt"] - n[f"grip_arm_tilt_{one}"]
-    for one in _ENDS:
-        jaw = n["grip_arm"] * cosine(n[f"grip_arm_tilt_{one}"])
-        n[f"force_ratio_{one}"] = 2 * jaw / (arm * sine(n[f"drive_arm_angle_{one}"]))
-    governing(n)
     n["stroke_required"] = arm * (
         cosine(n["drive_arm_angle_open"]) - cosine(n["drive_arm_angle_at_min"])
     )

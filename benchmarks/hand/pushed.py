@@ -80,15 +80,8 @@ def slot_crosshead(n: Notebook) -> None:
     """Solve bell-cranks whose pins a crosshead carries along in transverse slots."""
     travel(n)
     n["pivot_offset"] = n["pivot_spacing"] / 2 - n["jaw_offset"]
-    tilts(n)
-    grip(n)
-    arm, jaw_arm = n["drive_arm"], n["grip_arm"]
-    for one in _POSITIONS:
-        n[f"drive_arm_angle_{one}"] = n["drive_arm_angle"] - n[f"grip_arm_tilt_{one}"]
-    for one in _ENDS:
-        jaw = jaw_arm * cosine(n[f"grip_arm_tilt_{one}"])
-        n[f"force_ratio_{one}"] = 2 * jaw / (arm * sine(n[f"drive_arm_angle_{one}"]))
-    governing(n)
+    bent_levers(n, n["drive_arm_angle"])
+    arm = n["drive_arm"]
     n["slot_force"] = n["grip_force"] * n["force_ratio"] / 2
     n["joint_force_x"], n["joint_force_y"] = n["slot_force"], n["grip_force"]
     n["joint_force"] = hypot(n["joint_force_x"], n["joint_force_y"])
@@ -121,6 +114,23 @@ def tilts(n: Notebook) -> None:
         n["finger_spacing"] = 2 * n["pivot_offset"]
         for one in _ENDS:
             n[f"finger_length_{one}"] = n["grip_arm"] * cosine(n[f"grip_arm_tilt_{one}"])
+
+
+def bent_levers(n: Notebook, drive_arm_angle: float) -> None:
+    """Find how bent levers stand, and their force ratios: F at the grip arm, P/2 at the drive arm.
+
+    Args:
+        n: the notebook, with the pivots and what the jaws must hold.
+        drive_arm_angle: from the drive arm to the axis, in degrees, where the grip arm lies along.
+    """
+    tilts(n)
+    grip(n)
+    for one in _POSITIONS:
+        n[f"drive_arm_angle_{one}"] = drive_arm_angle - n[f"grip_arm_tilt_{one}"]
+    for one in _ENDS:
+        jaw = n["grip_arm"] * cosine(n[f"grip_arm_tilt_{one}"])
+        n[f"force_ratio_{one}"] = 2 * jaw / (n["drive_arm"] * sine(n[f"drive_arm_angle_{one}"]))
+    governing(n)
 
 
 def ahead(n: Notebook) -> float:

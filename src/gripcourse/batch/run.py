@@ -97,7 +97,7 @@ class _Grading:
     """Grading single files of a batch, each for itself; see `grade_files`.
 
     Attributes:
-        meanwhile: does something at each step that there will be time for while workers judge.
+        meanwhile: what this process does while workers judge, a part at each step.
         open: places of the files that LibreOffice could make more of.
     """
 

@@ -132,7 +132,7 @@ def grade(  # noqa: PLR0913 (one parameter per option)
     begun = beginning(GradingAsked(root, gradebook_place(gradebook, root), out, found, options))
     said = None if json or afresh else begun.said_before()
     if said is None:
-        foresee(modules, workers, cluster)
+        foresee(modules, workers, cluster)  # where they were not before, nothing where they were
         needs_person = _grade_anew(begun, order, manner)
     else:
         now, files = datetime.now(UTC), len(found.files)

@@ -62,11 +62,11 @@ def identify(
         joined: by id that was joined with another's, the id of the student.
     """
     by_path = _by_path(file, register, pattern, joined)
-    named = "" if identity is None else joined.get(identity.student, identity.student)
+    named = "" if identity is None else _person(identity.student, joined)
     if identity is not None and named in register:
         made_for = version_made_for(identity, versions_of(named, register, earlier))
         if is_signed_as(identity, made_for):
-            if joined.get(identity.other, identity.other) in register:
+            if _person(identity.other, joined) in register:
                 return _doubtful(_two_inside(identity))
             said = _contradiction(file, made_for, by_path, register)
             return _doubtful(said) if said else HandedIn(made_for, KnownBy.SIGNATURE)
@@ -85,6 +85,11 @@ def named_by_person(
     """Take a person's word for who handed a file in; the student is on the register."""
     made_for = version_made_for(identity, versions_of(student, register, earlier))
     return HandedIn(made_for, KnownBy.PERSON)
+
+
+def _person(id_: str, joined: Mapping[str, str]) -> str:
+    """Return the id by which the register knows whom an id names."""
+    return joined.get(id_, id_)
 
 
 def _by_path(
@@ -107,7 +112,7 @@ def _by_path(
     path = PurePath(unicodedata.normalize("NFC", file))
     # Handouts are folders named after their students; a bare number may count anything.
     folder = path.parent.name if not path.parent.name.isdecimal() else ""
-    called = dict.fromkeys(joined.get(one, one) for one in (path.stem, folder))
+    called = dict.fromkeys(_person(one, joined) for one in (path.stem, folder))
     told = [one for one in called if one in register]
     if len(told) > 1:
         return _doubtful(_two_in_path(*told))
@@ -119,7 +124,7 @@ def _of_pattern(
 ) -> Issued | None:
     """Return whom an instructor's own pattern names; a name only where one student has it."""
     if part.identifier:
-        return register.get(joined.get(part.identifier, part.identifier))
+        return register.get(_person(part.identifier, joined))
     named = [student for student, name in names_of(register) if part.is_named(name)]
     return register[named[0]] if len(named) == 1 else None
 
@@ -127,7 +132,7 @@ def _of_pattern(
 def _of_platform(
     part: PlatformPart, register: Mapping[str, Issued], joined: Mapping[str, str]
 ) -> Issued | None:
-    entry = register.get(joined.get(part.identifier, part.identifier))
+    entry = register.get(_person(part.identifier, joined))
     if entry is None:
         return None
     # Platforms number people and attempts by themselves: such a number is a student's id only where

@@ -1,6 +1,6 @@
 """Who gets which variant: decided once, and never changed by what comes later."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from datetime import date
 from typing import Final
@@ -93,14 +93,15 @@ def extend(
         )
         for student in new
     )
+    in_and_out = _in_and_out(register, roster)
     notes = _notes(register, roster, variants, terms.deadline)
     extended = replace(register, entries=(*kept, *issued))
     return Extended(
         extended,
-        (*renamed, *notes),
+        (*renamed, *notes, *_under_another_name(*in_and_out)),
         _outdated(register, roster, variants),
         tuple(one for one in roster if one in known and known[one].left),
-        _in_and_out(register, roster),
+        in_and_out,
     )
 
 
@@ -253,17 +254,18 @@ def _notes(
                 len(absent),
             )
         )
-        new, gone = _in_and_out(register, roster)
-        if new:
-            # One of them may be another of them under a new surname: nothing else tells that.
-            said = message(
-                "New in this list: {new}; no longer in it, of the same groups: {gone}. Is anybody"
-                " in both under another name?",
-                new=first_of(new, _NAMED),
-                gone=first_of(gone, _NAMED),
-            )
-            notes.append(said)
     return tuple(notes)
+
+
+def _under_another_name(new: Sequence[str], gone: Sequence[str]) -> Iterator[Message]:
+    """Ask whether one of those who are new is one of those who are gone: only a surname changed."""
+    if new:
+        yield message(
+            "New in this list: {new}; no longer in it, of the same groups: {gone}. Is anybody"
+            " in both under another name?",
+            new=first_of(new, _NAMED),
+            gone=first_of(gone, _NAMED),
+        )
 
 
 def _in_and_out(

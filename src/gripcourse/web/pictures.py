@@ -86,12 +86,8 @@ def _svg(data: bytes, _: int) -> PaintedPage:
     return _pdf(bytes(page), 1)
 
 
-def _dxf(data: bytes, page: int) -> PaintedPage:
-    with without_advice("matplotlib"):
-        return _dxf_painted(data, page)
-
-
-def _dxf_painted(data: bytes, _: int) -> PaintedPage:
+@without_advice("matplotlib")
+def _dxf(data: bytes, _: int) -> PaintedPage:
     from ezdxf import recover
     from ezdxf.addons.drawing.config import BackgroundPolicy, ColorPolicy, Configuration
     from ezdxf.addons.drawing.frontend import Frontend

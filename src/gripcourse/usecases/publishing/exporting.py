@@ -174,7 +174,7 @@ def table_files(results: Results, out: Path, gradebook: str) -> tuple[Path, ...]
     # Nobody waits for the work of who left; one that was handed in before is told all the same.
     told = {one.student for one in results.grades.reports}
     students = {
-        id_: one for id_, one in results.students.items() if {id_} - results.left or id_ in told
+        id_: one for id_, one in results.students.items() if id_ not in results.left or id_ in told
     }
     tables = results_tables(results.grades, students) | analysis_tables(results.grades)
     if exists(gradebook):
