@@ -11,10 +11,9 @@ from gripcourse.cli.demo.students import correct
 from gripcourse.course.load import load_course
 from gripcourse.course.quantity import Kind
 from gripcourse.errors import CourseError, TableError, UsageError
-from gripcourse.gradebook.deadlines import deadlines_path
 from gripcourse.grading.model import Outcome
 from gripcourse.grading.self_check import State
-from gripcourse.machine.resources import COURSE_FOLDERS
+from gripcourse.machine.resources import COURSE_FOLDERS, deadlines_path
 from gripcourse.policy.model import Tells
 from gripcourse.policy.time_rules import LateRule
 from support.classroom import forget_one_jaw

@@ -232,6 +232,15 @@ class TestHappyPaths:
         )
         assert "grade" in called.stdout
 
+    def test_what_was_graded_before_is_looked_at_without_the_course(self) -> None:
+        course = {"numpy", "openpyxl", "gripcourse.course.model", "gripcourse.grading.model"}
+        looks = "import gripcourse.cli.grade, gripcourse.usecases.grading.as_before, sys"
+        done = subprocess.run(  # noqa: S603 (our own interpreter)
+            [sys.executable, "-c", f"{looks}; print(sorted({course} & set(sys.modules)))"],
+            capture_output=True, text=True, check=True,
+        )  # fmt: skip
+        assert done.stdout.strip() == "[]"
+
 
 class TestWrongUse:
     @pytest.mark.parametrize(

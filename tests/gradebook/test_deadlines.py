@@ -11,12 +11,12 @@ from gripcourse.gradebook.deadlines import (
     Deadline,
     course_deadlines,
     deadline_of,
-    deadlines_path,
     doubt_about,
     moment_of,
     read_deadlines,
 )
 from gripcourse.machine.content import NamedBytes
+from gripcourse.machine.resources import deadlines_path
 from gripcourse.policy.time_rules import LateRule
 from gripcourse.variants.model import Issued, Student, Variant
 

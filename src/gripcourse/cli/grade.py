@@ -107,7 +107,6 @@ def grade(  # noqa: PLR0913 (one parameter per option)
     from gripcourse.usecases.grading.as_before import GradingAsked, beginning
     from gripcourse.usecases.grading.collect import collect
     from gripcourse.usecases.grading.note_batch import note_batch
-    from gripcourse.usecases.marks.handed_in import tables_said
 
     words = words_for(language)
     found = collect(paths)
@@ -126,7 +125,7 @@ def grade(  # noqa: PLR0913 (one parameter per option)
     )
     manner = _Manner(workers, cluster, afresh, json, by or getpass.getuser(), why, words)
     options = (
-        *(order, tables_said(wish.handed_in), str(out)),
+        *(order, wish.tables_said(), str(out)),
         *(words.language, bool(workers), office_identity(office_command())),
     )
     begun = beginning(GradingAsked(root, gradebook_place(gradebook, root), out, found, options))

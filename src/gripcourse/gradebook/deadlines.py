@@ -10,6 +10,7 @@ from zoneinfo import ZoneInfo
 
 from gripcourse.errors import Problem, TableError
 from gripcourse.machine.content import Readable
+from gripcourse.machine.resources import deadlines_path
 from gripcourse.policy.time_rules import LateRule, zone_of
 from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.words import Message, message
@@ -34,11 +35,6 @@ class Deadline:
     group: str
     student: str
     at: datetime
-
-
-def deadlines_path(root: Path) -> Path:
-    """Where a course keeps its deadlines, if it has any besides those that it issued with."""
-    return root / "variants" / "deadlines.csv"
 
 
 def course_deadlines(root: Path, rule: LateRule | None) -> tuple[Deadline, ...]:

@@ -97,6 +97,11 @@ def is_course(folder: Path) -> bool:
     return not _missing(folder) or (folder / VARIANTS / "course.toml").is_file()
 
 
+def deadlines_path(root: Path) -> Path:
+    """Where a course keeps its deadlines, if it has any besides those that it issued with."""
+    return root / VARIANTS / "deadlines.csv"
+
+
 def expect_apart(out: Path, course: Path) -> None:
     """See that results do not get among the files that a course is made of.
 

@@ -8,9 +8,9 @@ from zoneinfo import ZoneInfo
 import pytest
 
 from gripcourse.access.desk.store import open_desk
-from gripcourse.gradebook.deadlines import deadlines_path
 from gripcourse.machine.content import NamedBytes
 from gripcourse.machine.database.home import home_of
+from gripcourse.machine.resources import deadlines_path
 from gripcourse.policy.time_rules import LateRule
 from gripcourse.usecases.serving.deadlines import DeskDeadlines
 from gripcourse.usecases.serving.desk import DeskContext

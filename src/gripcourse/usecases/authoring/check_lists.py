@@ -6,10 +6,11 @@ from pathlib import Path
 
 from gripcourse.course.model import Course
 from gripcourse.errors import GripcourseError, Problem
-from gripcourse.gradebook.deadlines import deadlines_path, read_deadlines
+from gripcourse.gradebook.deadlines import read_deadlines
 from gripcourse.issuing.register_file import old_register_path
 from gripcourse.issuing.roster import read_roster
 from gripcourse.machine.database.home import exists, home_of
+from gripcourse.machine.resources import deadlines_path
 from gripcourse.policy.model import Policy
 from gripcourse.policy.time_rules import zone_of
 from gripcourse.variants.model import Student

@@ -15,13 +15,13 @@ from itertools import chain
 from pathlib import Path
 from typing import Final
 
-from gripcourse.gradebook.deadlines import deadlines_path
 from gripcourse.gradebook.state import DatabaseState, state_of
 from gripcourse.issuing.register_file import old_register_path
 from gripcourse.issuing.signature import key_path
 from gripcourse.machine.content import Readable, digest_of_content, shown_name
 from gripcourse.machine.database.home import home_of
 from gripcourse.machine.files import write_text
+from gripcourse.machine.resources import deadlines_path
 from gripcourse.usecases.grading.collect import Collected
 from gripcourse.usecases.grading.versions import EARLIER, digest_of_texts, versions_of
 

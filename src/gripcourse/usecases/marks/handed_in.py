@@ -10,9 +10,10 @@ from gripcourse.errors import Problem, UsageError
 from gripcourse.exports.platforms.moodle_worksheet import handed_in_moments, read_worksheet
 from gripcourse.gradebook.deadlines import doubt_about, moment_of
 from gripcourse.grading.platforms import platform_part
-from gripcourse.machine.content import Readable, digest_of_content, shown_name
+from gripcourse.machine.content import Readable, shown_name
 from gripcourse.text.shown import shown
 from gripcourse.text.words import message
+from gripcourse.usecases.marks.batch_wish import is_table
 
 
 @dataclass(frozen=True, slots=True)
@@ -44,7 +45,7 @@ def handed_in_times(
     }
     problems: list[Problem] = []
     for one in written:
-        if _is_table(one):
+        if is_table(one):
             times |= _of_worksheet(Path(one), files, zone, problems)
             continue
         name, _, moment = (part.strip() for part in one.rpartition("="))
@@ -68,15 +69,6 @@ def handed_in_times(
     if problems:
         raise UsageError(problems)
     return times
-
-
-def tables_said(written: Iterable[str]) -> tuple[str, ...]:
-    """Return the digests of the tables among what a person says: another table says other times."""
-    return tuple(digest_of_content(Path(one)) for one in written if _is_table(one))
-
-
-def _is_table(written: str) -> bool:
-    return "=" not in written and Path(written).is_file()
 
 
 def _of_worksheet(

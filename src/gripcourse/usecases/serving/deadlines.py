@@ -10,8 +10,8 @@ from gripcourse.gradebook.deadlines import (
     Deadline,
     course_deadlines,
     deadline_of,
-    deadlines_path,
 )
+from gripcourse.machine.resources import deadlines_path
 from gripcourse.policy.time_rules import LateRule
 from gripcourse.variants.model import Issued
 
