@@ -67,7 +67,12 @@ def _arm_angle(n: Notebook, end: str) -> float:
 
 PARALLELOGRAMS: Final[tuple[Mistake, ...]] = (
     *_GEARS,
-    alike("arccosine for the arcsine", "arm_angle", POSITIONS, lambda n, e: arccosine(_out(n, e))),
+    alike(  # that the arms lie along the axis with the smallest object is seen, not computed
+        "arccosine for the arcsine",
+        "arm_angle",
+        ("open", "at_max"),
+        lambda n, e: arccosine(_out(n, e)),
+    ),
     alike(
         "arctangent for the arcsine", "arm_angle", POSITIONS, lambda n, e: arctangent(_out(n, e))
     ),
