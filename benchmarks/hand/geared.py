@@ -97,8 +97,9 @@ def wedge_slide(n: Notebook) -> None:
     travel(n)
     grip(n)
     theta, rho, force = n["wedge_angle"], n["friction_angle"], n["grip_force"]
-    n["force_ratio"] = 2 * tangent(theta + rho)
-    n["force_ratio_at_max"] = n["force_ratio_at_min"] = n["force_ratio"]
+    for one in ("at_max", "at_min"):  # alike: a wedge's angle does not change
+        n[f"force_ratio_{one}"] = 2 * tangent(theta + rho)
+    n["force_ratio"] = max(n["force_ratio_at_max"], n["force_ratio_at_min"])
     n["velocity_ratio"] = tangent(theta)
     n["wedge_efficiency"] = tangent(theta) / tangent(theta + rho)
     n["stroke_required"] = n["jaw_travel"] / tangent(theta)

@@ -3,12 +3,15 @@
 from math import pi, sqrt
 from typing import Final
 
-from hand.mistakes_fingers import LINKS, WEDGES
+from hand.mistakes_across import CYLINDERS_ACROSS, WEDGE_SLIDES
+from hand.mistakes_fingers import LINKS, THREE, WEDGES
 from hand.mistakes_frames import MAGNET, VACUUM
+from hand.mistakes_geared import PARALLELOGRAMS, PINIONS
+from hand.mistakes_pressed import PLATES, SLOT_LEVERS
 from hand.mistakes_pushed import PRISMS, ROCKERS, SLOTS
 from hand.mistakes_turned import SCREW, WORM
 from hand.notebook import Notebook, cosine, sine
-from hand.wrong import Mistake, mistake, row_below, times
+from hand.wrong import Mistake, mistake, row_below, row_beside, times
 
 _GRIP: Final = (
     mistake(
@@ -29,6 +32,7 @@ _GRIP: Final = (
         "grip: weight without inertia",
         lifting_load=lambda n, _: n["mass"] * n["gravity"],
     ),
+    mistake("grip: kilograms taken for newtons", lifting_load=lambda n, _: n["mass"]),
 )
 
 _CYLINDER: Final = (
@@ -129,12 +133,12 @@ _MOUNT: Final = (
     ),
     mistake(
         "flange: bolt circle of another row",
-        flange_bolt_circle=row_below("flanges of grippers", "bolt circle"),
+        flange_bolt_circle=row_beside("flanges of grippers", "bolt circle"),
     ),
     mistake("bayonet: load left out", mount_axial=lambda n, _: n["drive_force_actual"] / 1000),
     mistake(
         "cylinder: one bore long beside its stroke",
-        drive_length=lambda n, _: n["stroke"] + n["bore"],
+        drive_length=lambda n, right: n["stroke"] + n["bore"] if "bore" in n else right,
     ),
 )
 
@@ -147,15 +151,16 @@ _OF_SCHEMES: Final = {
     "tangent_slider": (*ROCKERS, *_GRIP, *_LEVERS),
     "prism_lever": (*PRISMS, *_GRIP, *_LEVERS),
     "slot_crosshead": (*SLOTS, *_GRIP, *_LEVERS),
-    "link_lever_3": (*LINKS, *_GRIP, *_LEVERS),
-    "wedge_roller_3": (*WEDGES, *_GRIP, *_LEVERS),
-    **dict.fromkeys(
-        ("link_lever_2", "wedge_roller", "slot_lever", "plain_lever"), (*_GRIP, *_LEVERS)
-    ),
-    **dict.fromkeys(
-        ("rack_parallelogram", "pinion_racks", "wedge_slide", "cross_cylinder"),
-        (*_GRIP, *_LEVERS),
-    ),
+    "link_lever_3": (*LINKS, *THREE, *_GRIP, *_LEVERS),
+    "wedge_roller_3": (*WEDGES, *THREE, *_GRIP, *_LEVERS),
+    "link_lever_2": (*LINKS, *_GRIP, *_LEVERS),
+    "wedge_roller": (*WEDGES, *_GRIP, *_LEVERS),
+    "slot_lever": (*SLOT_LEVERS, *_GRIP, *_LEVERS),
+    "plain_lever": (*PLATES, *_GRIP, *_LEVERS),
+    "rack_parallelogram": (*PARALLELOGRAMS, *_GRIP, *_LEVERS),
+    "pinion_racks": (*PINIONS, *_GRIP, *_LEVERS),
+    "wedge_slide": (*WEDGE_SLIDES, *_GRIP, *_LEVERS),
+    "cross_cylinder": (*CYLINDERS_ACROSS, *_GRIP, *_LEVERS),
     "vacuum_cups": VACUUM,
     "electromagnet": MAGNET,
 }

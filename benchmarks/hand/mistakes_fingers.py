@@ -2,20 +2,30 @@
 
 from typing import Final
 
-from hand.mistakes_pushed import ADDED
-from hand.notebook import Notebook, arcsine, arctangent, cosine, sine, tangent
-from hand.pushed import radius_of
+from hand.mistakes_pushed import ADDED, TILTS
+from hand.notebook import Notebook, arcsine, cosine, sine, tangent
 from hand.wrong import ENDS, POSITIONS, Mistake, alike, mistake, times
 
 LINKS: Final[tuple[Mistake, ...]] = (
     alike(
-        "two fingers in the ratio", "force_ratio", ENDS, lambda n, end: _link_ratio(n, end) * 2 / 3
+        "one finger fewer in the ratio",
+        "force_ratio",
+        ENDS,
+        lambda n, end: _link_ratio(n, end) * (_fingers(n) - 1) / _fingers(n),
+    ),
+    alike(
+        "cosine for the sine of the link in the ratio",
+        "force_ratio",
+        ENDS,
+        lambda n, end: _link_ratio(n, end) / tangent(n[f"link_angle_{end}"]),
     ),
     alike(
         "tilts left out of the ratio",
         "force_ratio",
         ENDS,
-        lambda n, end: 3 * n["grip_arm"] / n["drive_arm"] * tangent(n[f"link_angle_{end}"]),
+        lambda n, end: (
+            _fingers(n) * n["grip_arm"] / n["drive_arm"] * tangent(n[f"link_angle_{end}"])
+        ),
     ),
     alike(
         "arcsine for the arccosine of the link",
@@ -31,12 +41,7 @@ LINKS: Final[tuple[Mistake, ...]] = (
             90 - arcsine((_link_across(n, end) + n["crosshead_offset"]) / n["link_length"])
         ),
     ),
-    alike(
-        "arctangent for the arcsine of the tilt",
-        "grip_arm_tilt",
-        POSITIONS,
-        lambda n, end: arctangent((radius_of(n, end) - n["pivot_offset"]) / n["grip_arm"]),
-    ),
+    *TILTS,
     alike(
         "arm left out of the crosshead's distance",
         "crosshead_distance",
@@ -61,7 +66,6 @@ LINKS: Final[tuple[Mistake, ...]] = (
             * (sine(n["link_angle_at_min"]) + cosine(n["link_angle_at_min"]))
         ),
     ),
-    mistake("two jaws share by friction", grip_force=times(1.5)),
 )
 
 
@@ -74,14 +78,19 @@ def _link_across(n: Notebook, end: str) -> float:
 def _link_ratio(n: Notebook, end: str) -> float:
     gamma, turned = n[f"link_angle_{end}"], n["drive_arm_tilt"] + n[f"grip_arm_tilt_{end}"]
     jaw = n["grip_arm"] * cosine(n[f"grip_arm_tilt_{end}"])
-    return 3 * jaw * sine(gamma) / (n["drive_arm"] * cosine(gamma + turned))
+    return _fingers(n) * jaw * sine(gamma) / (n["drive_arm"] * cosine(gamma + turned))
 
 
-def _wedge_ratio(n: Notebook, end: str, rho: float, fingers: float = 3) -> float:
+def _fingers(n: Notebook) -> float:
+    """Return how many fingers there are; a scheme with two does not say so."""
+    return n.get("finger_count", 2.0)
+
+
+def _wedge_ratio(n: Notebook, end: str, rho: float) -> float:
     angle = n["wedge_angle"] + rho
     turned = n["roller_arm_tilt"] + n[f"grip_arm_tilt_{end}"]
     jaw = n["grip_arm"] * cosine(n[f"grip_arm_tilt_{end}"])
-    return fingers * jaw * sine(angle) / (n["roller_arm"] * cosine(angle + turned))
+    return _fingers(n) * jaw * sine(angle) / (n["roller_arm"] * cosine(angle + turned))
 
 
 WEDGES: Final[tuple[Mistake, ...]] = (
@@ -92,27 +101,32 @@ WEDGES: Final[tuple[Mistake, ...]] = (
         lambda n, end: _wedge_ratio(n, end, 0.0),
     ),
     alike(
-        "two rollers in the ratio",
+        "one roller fewer in the ratio",
         "force_ratio",
         ENDS,
-        lambda n, end: _wedge_ratio(n, end, n["friction_angle"], 2),
+        lambda n, end: _wedge_ratio(n, end, n["friction_angle"]) * (_fingers(n) - 1) / _fingers(n),
+    ),
+    alike(
+        "friction angle subtracted in the ratio",
+        "force_ratio",
+        ENDS,
+        lambda n, end: _wedge_ratio(n, end, -n["friction_angle"]),
     ),
     alike(
         "tilts left out of the ratio",
         "force_ratio",
         ENDS,
         lambda n, _: (
-            3 * n["grip_arm"] / n["roller_arm"] * tangent(n["wedge_angle"] + n["friction_angle"])
+            _fingers(n)
+            * n["grip_arm"]
+            / n["roller_arm"]
+            * tangent(n["wedge_angle"] + n["friction_angle"])
         ),
     ),
-    alike(
-        "arctangent for the arcsine of the tilt",
-        "grip_arm_tilt",
-        POSITIONS,
-        lambda n, end: arctangent((radius_of(n, end) - n["pivot_offset"]) / n["grip_arm"]),
-    ),
+    *TILTS,
     mistake(
-        "friction in the velocity ratio", velocity_ratio=lambda n, _: n["force_ratio_at_max"] / 3
+        "friction in the velocity ratio",
+        velocity_ratio=lambda n, _: n["force_ratio_at_max"] / _fingers(n),
     ),
     mistake("efficiency of the wedge turned over", wedge_efficiency=lambda _, right: 1 / right),
     mistake(
@@ -133,7 +147,6 @@ WEDGES: Final[tuple[Mistake, ...]] = (
         roller_force=lambda n, right: right * cosine(n["friction_angle"]),
     ),
     mistake(ADDED, joint_force=lambda n, _: n["joint_force_x"] + n["joint_force_y"]),
-    mistake("two jaws share by friction", grip_force=times(1.5)),
 )
 
 
@@ -141,3 +154,6 @@ def _rise(n: Notebook) -> float:
     """Return how far a roller goes across while the jaws close, over its arm."""
     turned = [n["roller_arm_tilt"] + n[f"grip_arm_tilt_{end}"] for end in ("open", "at_min")]
     return sine(turned[0]) - sine(turned[1])
+
+
+THREE: Final[tuple[Mistake, ...]] = (mistake("two jaws share by friction", grip_force=times(1.5)),)

@@ -4,7 +4,7 @@ from math import log10, pi, sqrt
 from typing import Final
 
 from hand.notebook import Notebook
-from hand.wrong import Mistake, mistake, row_below, times
+from hand.wrong import Mistake, mistake, row_below, row_beside, times
 
 _EJECTORS = "single-stage vacuum ejectors"
 
@@ -33,7 +33,7 @@ _BEAM: Final[tuple[Mistake, ...]] = (
     mistake("flange: one row too small", flange_first=row_below("flanges of grippers", "nominal")),
     mistake(
         "flange: bolt circle of another row",
-        flange_bolt_circle=row_below("flanges of grippers", "bolt circle"),
+        flange_bolt_circle=row_beside("flanges of grippers", "bolt circle"),
     ),
     mistake("safety factor left out", holding_force=lambda n, right: right / n["safety_factor"]),
     mistake("safety factor twice", holding_force=lambda n, right: right * n["safety_factor"]),

@@ -1,5 +1,6 @@
 """Mistakes in the steps of levers that a rod moves along the axis."""
 
+from math import radians
 from typing import Final
 
 from hand.notebook import Notebook, arcsine, arctangent, cosine, sine, tangent
@@ -84,7 +85,29 @@ def _bell_crank(n: Notebook, end: str) -> float:
     return 2 * n["grip_arm"] * cosine(n[f"grip_arm_tilt_{end}"]) / n["drive_arm"]
 
 
-SLOTS: Final[tuple[Mistake, ...]] = (
+TILTS: Final[tuple[Mistake, ...]] = (
+    alike(
+        "arctangent for the arcsine of the tilt",
+        "grip_arm_tilt",
+        POSITIONS,
+        lambda n, end: arctangent((radius_of(n, end) - n["pivot_offset"]) / n["grip_arm"]),
+    ),
+    alike(
+        "diameter for the radius in the tilt",
+        "grip_arm_tilt",
+        POSITIONS,
+        lambda n, end: arcsine((_whole(n, end) - n["pivot_offset"]) / n["grip_arm"]),
+    ),
+    alike(
+        "tilt in radians",
+        "grip_arm_tilt",
+        POSITIONS,
+        lambda n, end: radians(arcsine((radius_of(n, end) - n["pivot_offset"]) / n["grip_arm"])),
+    ),
+)
+
+# Bell-cranks that a rod turns: a crosshead with slots, or a plate under rollers.
+BELL_CRANKS: Final[tuple[Mistake, ...]] = (
     alike(
         "cosine for the sine in the ratio",
         "force_ratio",
@@ -98,27 +121,8 @@ SLOTS: Final[tuple[Mistake, ...]] = (
         ENDS,
         lambda n, end: _bell_crank(n, end) / 2 / sine(n[f"drive_arm_angle_{end}"]),
     ),
-    alike(
-        "tilt added to the drive arm's angle",
-        "drive_arm_angle",
-        POSITIONS,
-        lambda n, end: n["drive_arm_angle"] + n[f"grip_arm_tilt_{end}"],
-    ),
-    alike(
-        "arctangent for the arcsine",
-        "grip_arm_tilt",
-        POSITIONS,
-        lambda n, end: arctangent((radius_of(n, end) - n["pivot_offset"]) / n["grip_arm"]),
-    ),
-    alike(
-        "diameter for the radius in the tilt",
-        "grip_arm_tilt",
-        POSITIONS,
-        lambda n, end: arcsine((_whole(n, end) - n["pivot_offset"]) / n["grip_arm"]),
-    ),
+    *TILTS,
     mistake("offset of the jaw left out", pivot_offset=lambda n, _: n["pivot_spacing"] / 2),
-    mistake("whole drive force at one slot", slot_force=times(2)),
-    mistake(ADDED, joint_force=lambda n, _: n["joint_force_x"] + n["joint_force_y"]),
     mistake(
         "sines for cosines in the stroke",
         stroke_required=lambda n, _: (
@@ -130,6 +134,18 @@ SLOTS: Final[tuple[Mistake, ...]] = (
         "cosine left out of the bending",
         lever_bending_moment=lambda n, _: n["grip_force"] * n["grip_arm"] / 1000,
     ),
+)
+
+SLOTS: Final[tuple[Mistake, ...]] = (
+    *BELL_CRANKS,
+    alike(
+        "tilt added to the drive arm's angle",
+        "drive_arm_angle",
+        POSITIONS,
+        lambda n, end: n["drive_arm_angle"] + n[f"grip_arm_tilt_{end}"],
+    ),
+    mistake("whole drive force at one slot", slot_force=times(2)),
+    mistake(ADDED, joint_force=lambda n, _: n["joint_force_x"] + n["joint_force_y"]),
 )
 
 PRISMS: Final[tuple[Mistake, ...]] = (

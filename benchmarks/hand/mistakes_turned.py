@@ -4,7 +4,7 @@ from math import degrees, hypot, pi, radians, sqrt
 from typing import Final
 
 from hand.notebook import Notebook, arccosine, arctangent, cosine, sine, tangent
-from hand.wrong import ENDS, POSITIONS, Mistake, alike, mistake, row_below, times
+from hand.wrong import ENDS, POSITIONS, Mistake, alike, mistake, row_beside, times
 
 _THREADS = "trapezoidal threads"
 
@@ -54,7 +54,7 @@ SCREW: Final[tuple[Mistake, ...]] = (
         "pitch diameter for the core in the stress",
         screw_stress=lambda n, _: _stress(n, _first_row(n, "pitch dia"), 16),
     ),
-    mistake("pitch of another row", thread_pitch=row_below(_THREADS, "pitch P")),
+    mistake("pitch of another row", thread_pitch=row_beside(_THREADS, "pitch P")),
     mistake(
         "pi left out of the lead angle",
         lead_angle=lambda n, _: arctangent(n["thread_pitch"] / n["thread_pitch_diameter"]),

@@ -48,11 +48,26 @@ def times(factor: float) -> Step:
 
 
 def row_below(table: str, column: str = "") -> Step:
-    """Return a step that takes the entry one row before the right one; of the first, the next."""
+    """Return a step that takes the entry one row before the right one; there is none of the first.
+
+    A step raises ValueError where the right entry is the first.
+    """
 
     def step(n: Notebook, right: float) -> float:
         sizes = n.sheet.table(table).column(column)
         place = sizes.index(right)
-        return sizes[place - 1] if place else sizes[1]
+        if not place:
+            raise ValueError(right)
+        return sizes[place - 1]
+
+    return step
+
+
+def row_beside(table: str, column: str) -> Step:
+    """Return a step that takes the entry of the row before; of the first row, of the next."""
+
+    def step(n: Notebook, right: float) -> float:
+        sizes = n.sheet.table(table).column(column)
+        return sizes[sizes.index(right) - 1] if right != sizes[0] else sizes[1]
 
     return step

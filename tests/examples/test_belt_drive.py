@@ -30,6 +30,7 @@ from gripcourse.variants.space import load_spaces
 from gripcourse.variants.table import read_table
 from gripcourse.workbook.write import answer_workbook
 from support.pages import LAYOUT, SIGNATURE
+from support.sheet_symbols import beside_answers, idle_givens, undefined_symbols
 
 ROOT = Path(__file__).parents[2] / "examples" / "belt_drive"
 # Kinds that take a second or two; operators, slips and workbooks are proved by hand.
@@ -166,3 +167,23 @@ def test_the_sheet_says_once_how_a_size_is_taken(
     driven = [one for one in plan.answered if one.id == "large_diameter"]
     (item,) = asked_items(driven, plan, belts_policy, Words(language))
     assert item.text.count("(1 − ") == 1
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+@pytest.mark.parametrize("scheme", ["flat_belt", "v_belt"])
+@pytest.mark.parametrize("tensioning", ["base", "screw"])
+def test_a_sheet_gives_nothing_idle_and_leaves_no_symbol_open(
+    belts: Course, scheme: str, tensioning: str, language: str
+) -> None:
+    plan, words = make_plan(belts, scheme, {"tensioning": tensioning}), Words(language)
+    read = beside_answers(plan, words)
+    assert undefined_symbols(plan, words, read) == set()
+    assert idle_givens(plan, words, read) == set()
+
+
+def test_a_given_that_a_written_formula_does_not_name_would_be_noticed(belts: Course) -> None:
+    plan, words = make_plan(belts, "v_belt", {"tensioning": "base"}), Words("en")
+    read = beside_answers(plan, words)
+    read["belt_power"] = read["belt_power"].replace("/v_1", "") + " X_1"
+    assert idle_givens(plan, words, read) == {"unit_speed"}
+    assert ("belt_power", "X_1") in undefined_symbols(plan, words, read)

@@ -10,6 +10,12 @@ _SURNAME_FIRST: Final = re.compile(
 )
 
 
+def surname_of(name: str) -> str:
+    """Return the surname of a name that ends with a patronymic; any other name stays whole."""
+    found = _SURNAME_FIRST.fullmatch(" ".join(name.split()))
+    return found["surname"] if found else name
+
+
 def signed_name(name: str) -> str:
     """Return surname and initials, `Шевченко О. К.`, of a name that ends with a patronymic.
 

@@ -52,7 +52,11 @@ def test_no_text_of_a_sheet_leaves_its_cell(
         box = box_of_text(one)
         assert table.joined(box) == table, read_text(one)
         assert not [line for line in grid if line.overlaps(box)], read_text(one)
-    assert not [one for one in texts if "…" in one.dxf.text]
+    # The name of who drew it stands in full beside the cell that is too narrow for it.
+    said = [read_text(one) for one in texts]
+    (cut,) = (one.rstrip("…") for one in said if "…" in one)
+    whole = " ".join(one for one in said if "…" not in one).replace("- ", "-")
+    assert whole.count(cut) == len(["drawn", "checked"])
 
 
 @pytest.mark.parametrize("name", ['<b>&"', "%%c", r"\P{x}", "{", "^J", "Їжаченко-Шульга О. О."])
@@ -125,3 +129,33 @@ def test_a_note_that_is_too_long_goes_on_in_the_next_line_in_letters_of_the_same
     assert not [one for one in boxes if one.left < 0 or one.right > width or one.bottom < 0]
     said = " ".join(read_text(one) for one in texts)
     assert " ".join(f"1. {long} 2. Масса расчётная.".split()) in said
+
+
+@pytest.mark.parametrize(
+    ("name", "written"),
+    [
+        ("Голенищев-Кутузов Александр Константинович", "Голенищев-Кутузов"),
+        ("Северин-Мрачковський Володимир-Станіслав Костянтинович", "Северин-Мрачковський"),
+        ("Alexandra-Wilhelmina Featherstonehaugh-Cholmondeley", "Alexandra-Wilhelmina F…"),
+    ],
+)
+@pytest.mark.parametrize(
+    "school", ["", "Кафедра конструювання верстатів, інструментів та робототехнічних систем"]
+)
+def test_letters_of_a_long_name_are_as_high_as_the_standard_asks(
+    name: str, written: str, school: str
+) -> None:
+    block = TitleBlock("011 GA", "gripper", "GA", student=name, organisation=school)
+    made = new_document("uk")
+    draw_sheet(made.modelspace(), A3, block, "1:1", Words("uk"))
+    texts = list(made.modelspace().query("TEXT"))
+    assert min(one.dxf.height for one in texts) >= LEAST
+    assert written in map(read_text, texts)
+    assert name in " ".join(map(read_text, texts)).replace("- ", "-")
+
+
+def test_what_is_shortened_by_initials_is_not_written_twice() -> None:
+    block = TitleBlock("011 GA", "", "", student="Шевченко Олександр Костянтинович")
+    made = new_document("uk")
+    draw_sheet(made.modelspace(), A3, block, "1:1", Words("uk"))
+    assert "Олександр" not in " ".join(map(read_text, made.modelspace().query("TEXT")))

@@ -26,7 +26,7 @@ SMALL, NORMAL, LARGE = 2.5, 3.5, 5.0  # heights of letters
 _SUBSCRIPT = re.compile(r"([^\s_]+)_(\w+)")
 _SIZE = re.compile(r".+?(?:;\s+|$)")
 _RUNS = 3  # before the letter, the letter, what stands under it
-_RAISED = 0.1  # for each further line in a cell: letters reach below their line
+_RAISED = 0.1  # of their height, several lines in a cell: letters reach below the last one
 _OFF_LINES = 0.3  # mm that is free between letters and the lines of a cell
 _SMALLER, _DROP = 0.7, 0.4  # a subscript, in heights of the letters that it stands beside
 
@@ -58,7 +58,7 @@ class Cells:
         """Draw a line inside the table."""
         self.pen.line(self._place(start), self._place(end), kind)
 
-    def words(
+    def words(  # noqa: PLR0913 (words are their place, size and letters)
         self,
         text: str,
         corner: Point,
@@ -67,14 +67,23 @@ class Cells:
         *,
         middle: bool = False,
         most: int = 1,
+        least: float = 0.0,
     ) -> None:
-        """Write into a cell in so many lines at most, squeezed or smaller to fit."""
-        room = (size[0] - 2 * PAD, size[1])
+        """Write into a cell in so many lines at most, squeezed or smaller to fit.
+
+        Letters that are high enough at `least` mm become no smaller than that: what such a cell
+        cannot hold is cut.
+        """
+        found = set_in(text, height, (size[0] - 2 * PAD, size[1]), most, least=least)
+        self.lines(found, corner, size, middle=middle)
+
+    def lines(self, found: Setting, corner: Point, size: Point, *, middle: bool = False) -> None:
+        """Write lines into a cell that are set already, each of them narrowed by itself."""
         x = corner[0] + (size[0] / 2 if middle else PAD)
-        found = set_in(text, height, room, most)
         pitch = _pitch(found, size[1])
-        raised = (pitch / 2 + _RAISED * found.height) * (len(found.lines) - 1)
-        top = corner[1] + size[1] / 2 + raised
+        further = len(found.lines) - 1
+        top = corner[1] + size[1] / 2 + pitch / 2 * further
+        top += _RAISED * found.height * min(further, 1)
         for number, line in enumerate(found.lines):
             add_text(
                 self.pen.layout,
@@ -82,7 +91,7 @@ class Cells:
                 self._place((x, top - pitch * number)),
                 found.height,
                 align="MIDDLE_CENTER" if middle else "MIDDLE_LEFT",
-                widest=room[0],
+                widest=size[0] - 2 * PAD,
             )
 
     def symbols(self, text: str, corner: Point, size: Point, height: float, most: int) -> None:

@@ -30,12 +30,12 @@ _FILLED = 0.95
 _LEAST_HEIGHT = 1.0  # mm: smaller letters cannot be read
 
 LEADING = 1.45  # from one line to the next, in heights of capital letters
-_CLOSE = 1.28  # the same where lines are smaller than they should be: two of 1.8 mm in a row
+_CLOSE = 1.28  # the same where there is no room for more: four lines of 2.5 mm in 15 mm
 _CLEAR = 0.2  # of lines above and below several of them, in these heights
 _HEIGHTS = (5.0, 3.5, 2.5)  # mm, of GOST 2.304; its 1.8 is for names that nothing else has room for
 _WIDE = 0.85  # of their width and more: nobody sees that letters are squeezed
 READ_WELL = 0.75  # of their width: seen, and read as well
-_WIDE_ENOUGH = 0.55  # of their width: such letters are still read
+WIDE_ENOUGH = 0.55  # of their width: such letters are still read
 _PIECES = re.compile(r"[^\s-]*(?:-+|\s+|$)")
 _CUT = "…"
 _END = "|"
@@ -126,7 +126,12 @@ def squeeze_of(line: str, height: float, widest: float) -> float:
 
 
 def set_in(
-    text: str, height: float, room: tuple[float, float], most: int, between: str = " "
+    text: str,
+    height: float,
+    room: tuple[float, float],
+    most: int,
+    between: str = " ",
+    least: float = 0.0,
 ) -> Setting:
     """Choose lines and height: as few lines as need no squeezing, else as can be read well.
 
@@ -140,6 +145,7 @@ def set_in(
         room: width and height, mm.
         most: lines.
         between: where they may be broken.
+        least: height that letters keep however narrow they become, mm; 0 for none.
     """
     heights = [one for one in _HEIGHTS if one <= height] or [height]
     settings = [
@@ -150,12 +156,14 @@ def set_in(
     tries = [
         *((found, _WIDE) for found in settings),
         (smallest, READ_WELL),
-        (smallest, _WIDE_ENOUGH),
+        (smallest, WIDE_ENOUGH),
     ]
-    for found, least in tries:
+    for found, narrowest in tries:
         for one in found:
-            if one.squeeze >= least:
+            if one.squeeze >= narrowest:
                 return one
+    if least:
+        return _kept_high(text, least, room, most)
     tiny = [
         _set(text, high, room, count, between)
         if between.strip()
@@ -166,9 +174,18 @@ def set_in(
     return max(map(_smaller, tiny), key=lambda one: one.height * one.squeeze)
 
 
+def _kept_high(text: str, height: float, room: tuple[float, float], most: int) -> Setting:
+    """Break a text into as many lines as there is any room for; what is left over is to be cut."""
+    counts = [one for one in range(1, most + 1) if height * _lines_high(one, _CLOSE) <= room[1]]
+    return max(
+        (_balanced(text, height, room[0], count) for count in counts or [1]),
+        key=lambda one: one.squeeze,
+    )
+
+
 def _smaller(one: Setting) -> Setting:
     """Return a setting in letters so small that they need not be narrower than can be read."""
-    height = max(min(_LEAST_HEIGHT, one.height), one.height * min(1.0, one.squeeze / _WIDE_ENOUGH))
+    height = max(min(_LEAST_HEIGHT, one.height), one.height * min(1.0, one.squeeze / WIDE_ENOUGH))
     return replace(one, height=height, squeeze=min(1.0, one.squeeze * one.height / height))
 
 

@@ -1,12 +1,20 @@
 """The title block by form 1 of GOST 2.104, 185 by 55 mm."""
 
 from dataclasses import dataclass
+from itertools import chain
 
 from gripcourse.drawing.paper.cells import LARGE, NORMAL, PAD, SMALL, Cells
 from gripcourse.drawing.paper.document import LineKind
-from gripcourse.drawing.paper.text import READ_WELL, capital, set_in
+from gripcourse.drawing.paper.text import (
+    READ_WELL,
+    WIDE_ENOUGH,
+    Setting,
+    capital,
+    set_in,
+    squeeze_of,
+)
 from gripcourse.solver.plan import Plan
-from gripcourse.text.signed_names import signed_name
+from gripcourse.text.signed_names import signed_name, surname_of
 from gripcourse.text.words import Message, Words, message
 
 BLOCK_WIDTH, BLOCK_HEIGHT = 185.0, 55.0
@@ -31,6 +39,7 @@ _ROLES = (
 )
 _ROLE_HEIGHT = 5.0
 _NAME = (23.0, _ROLE_HEIGHT)
+_TWO_LINES = 8.0  # mm, of the least height
 
 
 @dataclass(frozen=True, slots=True)
@@ -123,18 +132,49 @@ def _draw_people(cell: Cells, block: TitleBlock, words: Words) -> None:
         if role is not None:
             bottom = 25.0 - _ROLE_HEIGHT * number
             cell.words(words.say(role), (0.0, bottom), (17.0, _ROLE_HEIGHT), SMALL)
-    for number, (name, date) in enumerate(((block.student, block.date), (block.checked, ""))):
+    # What a name loses here stands above the organisation: there is room for one of them.
+    for number, (name, date, least) in enumerate(
+        ((block.student, block.date, SMALL), (block.checked, "", 0.0))
+    ):
         bottom = 25.0 - _ROLE_HEIGHT * number
-        cell.words(_written(name), (17.0, bottom), _NAME, SMALL, most=2)
+        most = 1 if least else 2
+        cell.words(_written(name), (17.0, bottom), _NAME, SMALL, most=most, least=least)
         cell.words(date, (55.0, bottom), (10.0, _ROLE_HEIGHT), SMALL)
 
 
 def _written(name: str) -> str:
-    """Return a name, by surname and initials where it would be too narrow to read in one line."""
-    room = (_NAME[0] - 2 * PAD, _NAME[1])
-    found = set_in(name, SMALL, room, 1)
-    is_read_well = found.height == SMALL and found.squeeze >= READ_WELL
-    return name if is_read_well else signed_name(name)
+    """Return a name as its cell can be read: whole, with initials, or the surname alone.
+
+    The standard asks for the surname only.
+    """
+    if _narrowed(name) >= READ_WELL:
+        return name
+    signed = signed_name(name)
+    return signed if _narrowed(signed) >= WIDE_ENOUGH else surname_of(name)
+
+
+def _is_shortened(name: str) -> bool:
+    """Tell whether the cell of a name has less of it than surname and initials."""
+    written = _written(name)
+    return written not in {name, signed_name(name)} or _narrowed(written) < WIDE_ENOUGH
+
+
+def _narrowed(name: str) -> float:
+    """Return the factor that letters of the least height are narrowed by in the cell of a name."""
+    return squeeze_of(name, SMALL, _NAME[0] - 2 * PAD)
+
+
+def _draw_organisation(cell: Cells, block: TitleBlock) -> None:
+    """Write group and school; above them the name that its own cell has no room for."""
+    place, size = (135.0, 0.0), (50.0, 15.0)
+    if not _is_shortened(block.student):
+        words = block.organisation
+        cell.words(words, place, size, NORMAL, middle=True, most=4, least=SMALL)
+        return
+    room = (size[0] - 2 * PAD, _TWO_LINES)
+    texts = (block.student, block.organisation)
+    lines = [set_in(text, SMALL, room, 2, least=SMALL).lines for text in texts if text]
+    cell.lines(Setting(tuple(chain(*lines)), SMALL, 1.0), place, size, middle=True)
 
 
 def _draw_document(cell: Cells, block: TitleBlock, scale: str, words: Words) -> None:
@@ -153,4 +193,4 @@ def _draw_document(cell: Cells, block: TitleBlock, scale: str, words: Words) -> 
     cell.words(scale, (167.0, 20.0), (18.0, 15.0), LARGE, middle=True)
     cell.words(words.say(message("Sheet")), (135.0, 15.0), (20.0, 5.0), SMALL)
     cell.words(words.say(message("Sheets {count}", count=1)), (155.0, 15.0), (30.0, 5.0), SMALL)
-    cell.words(block.organisation, (135.0, 0.0), (50.0, 15.0), NORMAL, middle=True, most=3)
+    _draw_organisation(cell, block)
