@@ -128,7 +128,7 @@ def _members(
     last = latest(context, hand_ins)
     files = Counter(one.student for one in hand_ins)
     checks = Counter(one.student for one in context.desk.checks(only))
-    book, names = Gradebook(context.desk.engine), None if only is None else {only}
+    book, names = Gradebook(context.desk.engine, context.joins()), None if only is None else {only}
     works = counted_works(context, names)
     marked = latest_marks_of_all(book.entries(names))
     requests = Counter(

@@ -111,7 +111,7 @@ def student(seat: Seat) -> Response:
     if row is None:
         return seat.refuse(NOT_FOUND)
     context, id_ = seat.site.context, row.issued.student.id
-    book = Gradebook(context.desk.engine)
+    book = Gradebook(context.desk.engine, context.joins())
     published = published_to(context, id_)
     values: dict[str, object] = {
         "row": row,

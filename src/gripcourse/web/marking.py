@@ -202,11 +202,13 @@ def _typed(seat: Seat, student: str, item: str) -> str:
 
 
 def _item_now(seat: Seat) -> ItemNow | None:
-    return item_of(home_of(seat.site.context.course.root), *_place(seat))
+    context = seat.site.context
+    return item_of(home_of(context.course.root), *_place(seat), context.joins())
 
 
 def _waiting(seat: Seat) -> tuple[Waiting, ...]:
-    return what_waits(home_of(seat.site.context.course.root))
+    context = seat.site.context
+    return what_waits(home_of(context.course.root), context.joins())
 
 
 def _place(seat: Seat) -> tuple[str, str]:

@@ -91,7 +91,7 @@ def keep(
         # Nobody's file: a gradebook is not made for nothing.
         return graded
     deadlines = course_deadlines(context.course.root, context.policy.late)
-    book = open_gradebook(place)
+    book = open_gradebook(place, context.joins)
     keeping = _Keeping(
         context=context,
         book=book,

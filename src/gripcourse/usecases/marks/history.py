@@ -11,11 +11,12 @@ from gripcourse.batch.context import GradingContext
 from gripcourse.errors import Problem, UsageError
 from gripcourse.gradebook.counted import counted_work
 from gripcourse.gradebook.deadlines import course_deadlines, deadline_by_rule
+from gripcourse.gradebook.joined import family
 from gripcourse.gradebook.journal import publications, regrades, waivers
 from gripcourse.gradebook.model import Attempt, GradebookEntry, latest_marks
 from gripcourse.gradebook.timing import Waiver
 from gripcourse.gradebook.works import in_order, points_of, works_of
-from gripcourse.issuing.withdrawal import Withdrawal
+from gripcourse.issuing.withdrawal import Withdrawal, joins_of
 from gripcourse.text.shown import shown
 from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.words import Message, message
@@ -64,6 +65,7 @@ def history(
     book = existing_gradebook(place)
     attempts = book.attempts({student})
     waived = waivers(book)
+    withdrawals = tuple(withdrawals)
     withdrawn = tuple(_of_withdrawals(student, withdrawals))
     if not (attempts or student in known or student in waived or withdrawn):
         everybody = {one.student for one in book.attempts()}
@@ -92,15 +94,19 @@ def history(
                 number=numbers.get(told.attempt, told.attempt),
             )
             published.append(Event(told.signed.done_at, told.signed.person, said, ""))
-    marks: dict[str, list[Event]] = {}
-    for entry in book.entries({student}):
-        marks.setdefault(entry.mark.quantity, []).append(_of_mark(entry, called))
+    marks: dict[tuple[str, str], list[Event]] = {}
+    ids = sorted(family({student}, joins_of(withdrawals)))
+    for entry in book.entries(ids):
+        given_to = entry.mark.student
+        told_of = _of_mark(entry, called, "" if given_to == student else given_to)
+        marks.setdefault((given_to, entry.mark.quantity), []).append(told_of)
+    given = [tuple(_of_waiver(one, student) for one in waived.get(id_, ())) for id_ in ids]
     return _by_time(
         regraded,
         tuple(_of_attempts(attempts, numbers, batches)),
         *marks.values(),
         published,
-        tuple(map(_of_waiver, waived.get(student, ()))),
+        *given,
         withdrawn,
     )
 
@@ -132,7 +138,7 @@ def what_counts(place: str, student: str, context: GradingContext) -> Message | 
         GradebookError: there is no gradebook, or it cannot be used.
         TableError: the table of deadlines cannot be used.
     """
-    book, rule = existing_gradebook(place), context.policy.late
+    book, rule = existing_gradebook(place, context.joins), context.policy.late
     deadlines = course_deadlines(context.course.root, rule)
     counted = counted_work(
         context.policy,
@@ -163,7 +169,7 @@ def what_counts(place: str, student: str, context: GradingContext) -> Message | 
     )
 
 
-def _of_waiver(waiver: Waiver) -> Event:
+def _of_waiver(waiver: Waiver, student: str) -> Event:
     if waiver.withdrawn:
         what = message("The waiver was withdrawn: lateness is counted.")
     elif waiver.until is None:
@@ -171,6 +177,8 @@ def _of_waiver(waiver: Waiver) -> Event:
     else:
         until = f"{waiver.until:%Y-%m-%d %H:%M}Z"
         what = message("Lateness is not counted until {until}.", until=until)
+    if waiver.student != student:
+        what = message("{event} (Given to {student}.)", event=what, student=waiver.student)
     return Event(waiver.done_at, waiver.person, what, waiver.why)
 
 
@@ -254,7 +262,8 @@ def _parts(attempt: Attempt) -> Iterator[str]:
     yield f"({attempt.digest[:7]}; {versions_text(attempt)}{version}{chosen})"
 
 
-def _of_mark(entry: GradebookEntry, called: Callable[[str], str]) -> Event:
+def _of_mark(entry: GradebookEntry, called: Callable[[str], str], given_to: str) -> Event:
+    """Tell of a mark; `given_to` is the id that it was given to, where another one is asked of."""
     mark = entry.mark
     item = called(mark.quantity)
     if mark.credit is None:
@@ -268,4 +277,6 @@ def _of_mark(entry: GradebookEntry, called: Callable[[str], str]) -> Event:
             points=round(mark.credit * possible, _DECIMALS),
             most=round(possible, _DECIMALS),
         )
+    if given_to:
+        what = message("{event} (Given to {student}.)", event=what, student=given_to)
     return Event(mark.marked_at, mark.marker, what, mark.comment)

@@ -52,7 +52,7 @@ def counted_works(
         RegisterError: the register cannot be used.
         GradebookError: the gradebook cannot be used.
     """
-    book, register = Gradebook(context.desk.engine), context.register()
+    book, register = Gradebook(context.desk.engine, context.joins()), context.register()
     names = None if students is None else set(students)
     marked, waived = latest_marks_of_all(book.entries(names)), waivers(book)
     found = {}

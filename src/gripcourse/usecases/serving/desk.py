@@ -13,6 +13,7 @@ from gripcourse.course.read import course_address, course_id
 from gripcourse.issuing.register import Register
 from gripcourse.issuing.signature import key_path, read_key
 from gripcourse.issuing.store import VerifiedRegister
+from gripcourse.issuing.withdrawal import Join
 from gripcourse.machine.database.home import home_of
 from gripcourse.policy.load import attempt_rule_of, load_policy
 from gripcourse.policy.model import Policy
@@ -131,6 +132,10 @@ class DeskContext:
     def find(self, student: str) -> Issued | None:
         """Return what was issued to whom an id names, also where it was joined with another's."""
         return self.issued.read().find(student)
+
+    def joins(self) -> tuple[Join, ...]:
+        """Return which ids stand for one person now, in the order in which they were joined."""
+        return self.issued.read().joins
 
     def attempt_rule(self) -> AttemptRule | None:
         """Return which of several works of a student counts; None where no rule says it."""

@@ -72,7 +72,7 @@ def student(call: DeskCall) -> StudentRecordResult | WebRefusal:
     if row is None:
         return NOT_FOUND
     context, id_ = call.site.context, row.issued.student.id
-    book, published = Gradebook(context.desk.engine), published_to(context, id_)
+    book, published = Gradebook(context.desk.engine, context.joins()), published_to(context, id_)
     return StudentRecordResult(
         member=_member(row),
         hand_ins=tuple(

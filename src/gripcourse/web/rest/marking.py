@@ -32,14 +32,16 @@ from gripcourse.web.rest.wishes import MarkWish
 def marking(call: DeskCall) -> MarkingResult:
     """Everything that waits for a person."""
     context = call.site.context
-    found = (to_mark(context, one) for one in what_waits(home_of(context.course.root)))
+    found = (
+        to_mark(context, one) for one in what_waits(home_of(context.course.root), context.joins())
+    )
     return MarkingResult(tuple(_waiting(one, call.words) for one in found if one is not None))
 
 
 def item(call: DeskCall) -> ItemResult | WebRefusal:
     """An item of a student's last work: its rubric, the student's files and what was asked."""
     context, (student, quantity) = call.site.context, _place(call)
-    now = item_of(home_of(context.course.root), student, quantity)
+    now = item_of(home_of(context.course.root), student, quantity, context.joins())
     wanted = None if now is None else to_mark(context, now.item)
     if wanted is None:
         return NOT_FOUND
