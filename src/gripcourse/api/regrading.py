@@ -195,4 +195,5 @@ def history(
         return ask(place, student)
     register = register_of(course.root)
     known = register.by_student()
-    return ask(place, student, known, withdrawals=register.withdrawals)
+    said, course_id = register.withdrawals, register.course_id
+    return ask(place, student, known, withdrawals=said, course_id=course_id)

@@ -224,7 +224,8 @@ def history(
 
     place = gradebook_place(gradebook, root)
     register = register_of(root)
-    events = ask(place, student, register.by_student(), called, register.withdrawals)
+    known, withdrawals = register.by_student(), register.withdrawals
+    events = ask(place, student, known, called, withdrawals, register.course_id)
     typer.echo(regrade_text.history_text(events, words))
     counts = None if context is None else what_counts(place, student, context)
     if counts is not None:

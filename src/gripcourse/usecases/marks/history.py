@@ -6,7 +6,7 @@ from datetime import datetime
 from itertools import accumulate
 
 from gripcourse.access.desk.model import GradedBatch
-from gripcourse.access.desk.store import batches_by_time
+from gripcourse.access.desk.store import Desk, batches_by_time
 from gripcourse.batch.context import GradingContext
 from gripcourse.errors import Problem, UsageError
 from gripcourse.gradebook.counted import counted_work
@@ -21,6 +21,7 @@ from gripcourse.text.shown import shown
 from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.words import Message, message
 from gripcourse.usecases.marks.mark import existing_gradebook
+from gripcourse.usecases.serving.taken import order_of_works
 
 _DECIMALS = 2
 
@@ -48,6 +49,7 @@ def history(
     known: Container[str] = (),
     called: Callable[[str], str] = str,
     withdrawals: Iterable[Withdrawal] = (),
+    course_id: str = "",
 ) -> tuple[Event, ...]:
     """Return what happened to a student's grade, oldest first.
 
@@ -57,6 +59,7 @@ def history(
         known: students of the register; of these nothing may have happened yet.
         called: what people call the quantity of an id.
         withdrawals: of the course.
+        course_id: of the course; empty where nothing was handed in at its desk.
 
     Raises:
         GradebookError: there is no gradebook, or it cannot be used.
@@ -66,6 +69,8 @@ def history(
     attempts = book.attempts({student})
     waived = waivers(book)
     withdrawals = tuple(withdrawals)
+    joins = joins_of(withdrawals)
+    taken = order_of_works(Desk(book.engine, course_id), joins) if course_id else {}
     withdrawn = tuple(_of_withdrawals(student, withdrawals))
     if not (attempts or student in known or student in waived or withdrawn):
         everybody = {one.student for one in book.attempts()}
@@ -83,7 +88,7 @@ def history(
             )
             regraded.append(Event(one.signed.done_at, one.signed.person, what, one.signed.why))
     batches = batches_by_time(book.engine)
-    numbers = _numbers(attempts)
+    numbers = _numbers(attempts, taken)
     published: list[Event] = []
     for told in publications(book):
         if told.student == student:
@@ -95,7 +100,7 @@ def history(
             )
             published.append(Event(told.signed.done_at, told.signed.person, said, ""))
     marks: dict[tuple[str, str], list[Event]] = {}
-    ids = sorted(family({student}, joins_of(withdrawals)))
+    ids = sorted(family({student}, joins))
     for entry in book.entries(ids):
         given_to = entry.mark.student
         told_of = _of_mark(entry, called, "" if given_to == student else given_to)
@@ -140,9 +145,10 @@ def what_counts(place: str, student: str, context: GradingContext) -> Message | 
     """
     book, rule = existing_gradebook(place, context.joins), context.policy.late
     deadlines = course_deadlines(context.course.root, rule)
+    taken = order_of_works(Desk(book.engine, context.course.id), context.joins)
     counted = counted_work(
         context.policy,
-        works_of(book.standing({student})).get(student, ()),
+        works_of(book.standing({student}), taken).get(student, ()),
         latest_marks(book.entries({student})),
         deadline_by_rule(context.register.get(student), deadlines, rule),
         waivers(book).get(student, ()),
@@ -209,9 +215,11 @@ def versions_text(attempt: Attempt) -> str:
     return "/".join(one[:7] or "—" for one in (used.engine, used.course, used.policy))
 
 
-def _numbers(attempts: Sequence[Attempt]) -> Mapping[int, int]:
+def _numbers(
+    attempts: Sequence[Attempt], taken: Mapping[tuple[str, str], int]
+) -> Mapping[int, int]:
     """Return the number that reports give to the work, by the gradebook's number of each entry."""
-    works = [one for found in works_of(attempts).values() for one in in_order(found)]
+    works = [one for found in works_of(attempts, taken).values() for one in in_order(found)]
     of_work = {one.digest: number for number, one in enumerate(works, start=1)}
     return {one.number: of_work[one.digest] for one in attempts}
 

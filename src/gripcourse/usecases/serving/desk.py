@@ -51,6 +51,9 @@ class DeskBooks(Protocol):
     def find(self, student: str) -> Issued | None:
         """Return what was issued to whom an id names, also where it was joined with another's."""
 
+    def joins(self) -> tuple[Join, ...]:
+        """Return which ids stand for one person now, in the order in which they were joined."""
+
     def attempt_rule(self) -> AttemptRule | None:
         """Return which of several works of a student counts; None where no rule says it."""
 
@@ -81,6 +84,10 @@ class KeptBooks:
     def find(self, student: str) -> Issued | None:
         """Return what was issued to whom an id names, also where it was joined with another's."""
         return self._read().find(student)
+
+    def joins(self) -> tuple[Join, ...]:
+        """Return which ids stand for one person now, in the order in which they were joined."""
+        return self._read().joins
 
     def _read(self) -> Register:
         return VerifiedRegister(self.root, self.course_id, self.desk.engine).read()
