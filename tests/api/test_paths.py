@@ -39,6 +39,9 @@ CALLS: Final[dict[str, Call]] = {
     "history": lambda _, path: gc.history(path, "s01"),
     "publish": lambda _, path: gc.publish(path, by="Ray"),
     "waive": lambda course, path: gc.waive(course, path, "s01", by="Ray", why="ill"),
+    "withdraw": lambda course, path: gc.withdraw(
+        course, "s01", by="Ray", why="left", gradebook=path
+    ),
     "undo_regrade": lambda _, path: gc.undo_regrade(path, by="Ray", why="wrong"),
     "reissue": lambda course, path: gc.reissue(course, ["s01"], path, by="Ray", why="wrong"),
 }

@@ -59,7 +59,7 @@ def issue(root: Path, *students: Student, deadline: date | None = None) -> Exten
 def said(root: Path, student: str, same_as: str = "", *, undo: bool = False) -> list[str]:
     at = datetime(2026, 10, 5, 12, tzinfo=UTC)
     wanted = Withdrawal(student, same_as, undo, "Order 12.", "Петров", at)
-    return [str(one) for one in withdraw(wanted, root, home_of(root))]
+    return [str(one) for one in withdraw(wanted, root, home_of(root)).notes]
 
 
 def read(root: Path) -> Register:

@@ -28,6 +28,7 @@ from gripcourse.api.results import (
 )
 from gripcourse.api.schema import read_result, schemas
 from gripcourse.api.validate import validate
+from gripcourse.api.withdrawing import WithdrawResult, withdraw
 from gripcourse.errors import GripcourseError, NextStep, Problem
 from gripcourse.exports.report_result import GradesResult, ReportResult
 from gripcourse.gradebook.enter import Draft
@@ -47,6 +48,7 @@ __all__ = [
     "ReportResult",
     "SolutionResult",
     "VariantsResult",
+    "WithdrawResult",
     "apply_regrade",
     "audit_tolerances",
     "audit_variants",
@@ -70,6 +72,7 @@ __all__ = [
     "validate",
     "waive",
     "what_waits",
+    "withdraw",
     "write_general_view",
     "write_key",
     "write_reference",

@@ -9,6 +9,7 @@ from gripcourse.api.choices import a_text
 from gripcourse.api.course import Course
 from gripcourse.api.refusals import refusals_said
 from gripcourse.api.sources import FileLike, place_of, readable
+from gripcourse.api.withdrawing import joins_said_by
 
 if TYPE_CHECKING:
     from gripcourse.gradebook.enter import Draft
@@ -21,15 +22,19 @@ if TYPE_CHECKING:
 
 
 @refusals_said
-def what_waits(gradebook: str | Path) -> "tuple[Waiting, ...]":
+def what_waits(gradebook: str | Path, *, course: Course | None = None) -> "tuple[Waiting, ...]":
     """Return what waits for a person in a gradebook.
+
+    Args:
+        gradebook: path or database URL.
+        course: that says which ids were joined as those of one person; None where none was.
 
     Raises:
         GradebookError: there is none, or it cannot be used.
     """
     from gripcourse.usecases.marks.mark import what_waits as ask
 
-    return ask(place_of(gradebook))
+    return ask(place_of(gradebook), joins_said_by(course))
 
 
 @refusals_said

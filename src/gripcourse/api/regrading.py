@@ -10,6 +10,7 @@ from gripcourse.api.choices import nothing, whole_number
 from gripcourse.api.course import Course
 from gripcourse.api.refusals import refusals_said
 from gripcourse.api.sources import FileLike, place_of, workbooks
+from gripcourse.api.withdrawing import joins_said_by
 
 if TYPE_CHECKING:
     from gripcourse.batch.context import GradingContext
@@ -126,9 +127,15 @@ def undo_regrade(gradebook: str | Path, *, by: str, why: str) -> "Regrade":
 
 @refusals_said
 def publish(
-    gradebook: str | Path, *, by: str, students: Iterable[str] = ()
+    gradebook: str | Path, *, by: str, students: Iterable[str] = (), course: Course | None = None
 ) -> "tuple[Published, ...]":
     """Record that students know their results: from now on only a regrade changes them.
+
+    Args:
+        gradebook: path or database URL.
+        by: who tells them.
+        students: ids; none for everybody.
+        course: that says which ids were joined as those of one person; None where none was.
 
     Raises:
         GripcourseError: of a student nothing has been graded.
@@ -136,7 +143,8 @@ def publish(
     from gripcourse.gradebook.journal import Signed
     from gripcourse.usecases.marks.regrade import publish as tell
 
-    return tell(place_of(gradebook), students, Signed(by, datetime.now(UTC)))
+    signed = Signed(by, datetime.now(UTC))
+    return tell(place_of(gradebook), students, signed, joins_said_by(course))
 
 
 @refusals_said
@@ -158,20 +166,34 @@ def waive(
     from gripcourse.usecases.marks.opening import grading_of
     from gripcourse.usecases.marks.waive import waive as enter
 
-    register = grading_of(course.definition, course.policy).register
+    context = grading_of(course.definition, course.policy)
     waiver = Waiver(
         student, 0, until, withdrawn=False, person=by, done_at=datetime.now(UTC), why=why
     )
-    return enter(waiver, place_of(gradebook), register)
+    return enter(waiver, place_of(gradebook), context.register, context.joins)
 
 
 @refusals_said
-def history(gradebook: str | Path, student: str) -> "tuple[Event, ...]":
+def history(
+    gradebook: str | Path, student: str, *, course: Course | None = None
+) -> "tuple[Event, ...]":
     """Return everything that happened to a student's grade, oldest first.
+
+    Args:
+        gradebook: path or database URL.
+        student: id.
+        course: that says who left it, and which ids were joined; None where nobody was withdrawn.
 
     Raises:
         GripcourseError: the gradebook does not know the student.
     """
     from gripcourse.usecases.marks.history import history as ask
+    from gripcourse.usecases.marks.opening import register_of
 
-    return ask(place_of(gradebook), student)
+    place = place_of(gradebook)
+    if course is None:
+        return ask(place, student)
+    register = register_of(course.root)
+    known = register.by_student()
+    said, course_id = register.withdrawals, register.course_id
+    return ask(place, student, known, withdrawals=said, course_id=course_id)

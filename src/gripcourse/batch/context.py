@@ -6,6 +6,7 @@ from dataclasses import dataclass, field
 from gripcourse.course.model import Course
 from gripcourse.grading.identify import HandedIn, identify, named_by_person
 from gripcourse.grading.path_pattern import PathPattern
+from gripcourse.issuing.withdrawal import Join
 from gripcourse.policy.model import Policy
 from gripcourse.submission.model import Identity
 from gripcourse.variants.model import Issued
@@ -31,6 +32,7 @@ class GradingContext:
         declared: by fingerprint, the declarations that versions corrected since were issued with.
         joined: by id that was joined with another's, the id of the student; what was issued under
             it is among the student's earlier versions.
+        joins: the same with their moments, in the order in which they were joined.
     """
 
     course: Course
@@ -45,6 +47,7 @@ class GradingContext:
     either_for: frozenset[str] = frozenset()
     declared: Mapping[str, Course] = field(default_factory=dict)
     joined: Mapping[str, str] = field(default_factory=dict)
+    joins: tuple[Join, ...] = ()
 
 
 def handed_in_by(file: str, identity: Identity | None, context: GradingContext) -> HandedIn:

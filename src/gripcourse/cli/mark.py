@@ -97,7 +97,7 @@ def mark(  # noqa: PLR0913 (one parameter per option)
         raise cli_text.misuse(message("--out goes with --list."))
     if show:
         context = open_grading(root)
-        waits = command.what_waits(place, context.joined)
+        waits = command.what_waits(place, context.joins)
         if out is not None:
             command.write_waiting(waits, context, place, out)
             typer.echo(str(out))

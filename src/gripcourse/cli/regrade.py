@@ -140,11 +140,14 @@ def publish(
     """Note that results are known, so that only a regrade changes them; to show them: release."""
     from gripcourse.gradebook.journal import Signed
     from gripcourse.usecases.marks import regrade as command
+    from gripcourse.usecases.marks.opening import register_of
 
     words = words_for(language)
-    place = gradebook_place(gradebook, course_folder(course))
+    root = course_folder(course)
+    place, joins = gradebook_place(gradebook, root), register_of(root).joins
     signed = Signed(by or getpass.getuser(), datetime.now(UTC))
-    confirm(regrade_text.published_text(command.publish(place, students or (), signed), words))
+    told = command.publish(place, students or (), signed, joins)
+    confirm(regrade_text.published_text(told, words))
 
 
 @app.command(cls=SpokenCommand)
@@ -172,7 +175,7 @@ def waive(  # noqa: PLR0913 (one parameter per option)
     from gripcourse.gradebook.deadlines import doubt_about, last_moment_of
     from gripcourse.gradebook.timing import Waiver
     from gripcourse.policy.time_rules import zone_of
-    from gripcourse.usecases.marks.opening import issued_of, open_grading
+    from gripcourse.usecases.marks.opening import open_grading, register_of
     from gripcourse.usecases.marks.waive import waive as enter
 
     words, root = words_for(language), course_folder(course)
@@ -190,7 +193,8 @@ def waive(  # noqa: PLR0913 (one parameter per option)
             raise cli_text.misuse(*doubt)
     place, now = gradebook_place(gradebook, root), datetime.now(UTC)
     wanted = Waiver(student, 0, moment, withdraw, by or getpass.getuser(), now, why)
-    enter(wanted, place, issued_of(root))
+    register = register_of(root)
+    enter(wanted, place, register.by_student(), register.joins)
     confirm(words.say(message("Kept. Grade again to renew the reports.")))
 
 
@@ -220,7 +224,8 @@ def history(
 
     place = gradebook_place(gradebook, root)
     register = register_of(root)
-    events = ask(place, student, register.by_student(), called, register.withdrawals)
+    known, withdrawals = register.by_student(), register.withdrawals
+    events = ask(place, student, known, called, withdrawals, register.course_id)
     typer.echo(regrade_text.history_text(events, words))
     counts = None if context is None else what_counts(place, student, context)
     if counts is not None:

@@ -9,6 +9,8 @@ import typer
 from gripcourse.cli.help import SpokenCommand
 from gripcourse.cli.loudness import confirm
 from gripcourse.cli.options import (
+    DONE,
+    NEEDS_PERSON,
     ByOption,
     CourseOption,
     GradebookOption,
@@ -51,5 +53,7 @@ def withdraw(  # noqa: PLR0913 (one parameter per option)
     words, root = words_for(language), course_folder(course)
     now = datetime.now(UTC)
     wanted = Withdrawal(student, same_as, undo, why, by or getpass.getuser(), now)
-    for said in enter(wanted, root, gradebook_place(gradebook, root)):
+    done = enter(wanted, root, gradebook_place(gradebook, root))
+    for said in done.notes:
         confirm(words.say(said))
+    raise typer.Exit(NEEDS_PERSON if done.disputed else DONE)

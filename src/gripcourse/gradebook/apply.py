@@ -8,6 +8,7 @@ from gripcourse.gradebook.model import (
     GradebookEntry,
     is_outdated,
     latest_marks,
+    share_given,
 )
 from gripcourse.gradebook.results import Result, results_of, same_results
 from gripcourse.grading.flags import not_judged_flags
@@ -158,7 +159,20 @@ def _flags(
     report: Report, entered: Mapping[str, GradebookEntry], outdated: set[str]
 ) -> Iterator[Flag]:
     asked = {one.quantity for one in report.findings}
-    if again := [one.quantity for one in report.findings if one.quantity in outdated]:
+    disputed = {name for name, entry in entered.items() if entry.rivals}
+    for finding in (one for one in report.findings if one.quantity in disputed):
+        entry = entered[finding.quantity]
+        yield Flag(
+            FlagCode.MARK_OUTDATED,
+            message(
+                "{quantity} was marked under several ids of one person: {given}. Until somebody "
+                "marks it again, the first of these counts.",
+                quantity=finding.quantity,
+                given=", ".join(map(share_given, (entry, *entry.rivals))),
+            ),
+        )
+    changed = outdated - disputed
+    if again := [one.quantity for one in report.findings if one.quantity in changed]:
         yield Flag(
             FlagCode.MARK_OUTDATED,
             message(

@@ -11,9 +11,11 @@ from itertools import groupby
 from sqlalchemy import select
 
 from gripcourse.gradebook import schema
+from gripcourse.gradebook.joined import waivers_of_persons
 from gripcourse.gradebook.model import Attempt
+from gripcourse.gradebook.numbering import new_attempts
 from gripcourse.gradebook.rows import Row
-from gripcourse.gradebook.store import Gradebook, Writing, attempt_rows, new_attempts
+from gripcourse.gradebook.store import Gradebook, Writing, attempt_rows
 from gripcourse.gradebook.timing import Waiver
 from gripcourse.gradebook.works import StudentWork
 from gripcourse.grading.model import PointSums
@@ -226,6 +228,10 @@ def waivers(book: Gradebook) -> dict[str, tuple[Waiver, ...]]:
     Raises:
         GradebookError: the database failed.
     """
+    return waivers_of_persons(_kept_waivers(book), book.joins)
+
+
+def _kept_waivers(book: Gradebook) -> dict[str, tuple[Waiver, ...]]:
     one = schema.waivers.c
     question = select(schema.waivers).order_by(*in_code_order(book.engine, one.student, one.number))
     with refusals_named(book.place), book.engine.connect() as connection:
@@ -253,7 +259,7 @@ def keep_waiver(book: Gradebook, waiver: Waiver) -> Waiver:
     """
 
     def fresh() -> tuple[Waiver, ...]:
-        before = waivers(book).get(waiver.student, ())
+        before = _kept_waivers(book).get(waiver.student, ())
         return (replace(waiver, number=len(before) + 1),)
 
     return book.add(fresh, lambda found: [(schema.waivers, [_waiver_row(found[0])])])[0]

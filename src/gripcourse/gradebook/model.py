@@ -99,10 +99,19 @@ class Mark:
 
 @dataclass(frozen=True, slots=True)
 class GradebookEntry:
-    """A mark with the attempt that it was entered against."""
+    """A mark with the attempt that it was entered against.
+
+    Attributes:
+        mark, attempt: these.
+        given_to: the id under which it was given, where that was joined with the student's since.
+        rivals: other marks of the same item of the same person, who had two ids when they were
+            given: this one counts until a person decides.
+    """
 
     mark: Mark
     attempt: Attempt
+    given_to: str = ""
+    rivals: tuple["GradebookEntry", ...] = ()
 
 
 def attempt_of(report: Report, graded_at: datetime, fingerprints: Fingerprints) -> Attempt | None:
@@ -159,18 +168,30 @@ def latest_marks_of_all(entries: Iterable[GradebookEntry]) -> dict[str, dict[str
     return {student: latest_marks(all_) for student, all_ in by_student.items()}
 
 
+def same_decision(one: Mark, other: Mark) -> bool:
+    """Tell whether two marks earn the same."""
+    return one.credit == other.credit and dict(one.lines) == dict(other.lines)
+
+
+def share_given(entry: GradebookEntry) -> str:
+    """Write under which id a mark was given, and the share of the points that it earns."""
+    share = (entry.mark.credit or 0.0) * 100
+    return f"{entry.given_to or entry.mark.student} {share:.4g}\N{NO-BREAK SPACE}%"
+
+
 def is_outdated(entry: GradebookEntry, digest: str, results: Collection[Result]) -> bool:
     """Tell whether what a mark rests on is another than when it was entered.
 
     A mark rests on the file and on what the program found about its own item. What other items
     came to, or how many points the item is worth, is no reason to look again: a mark is a share.
+    Another mark that was given to the same person under another id is one.
 
     Args:
         entry: the mark.
         digest: of the file that is graded now.
         results: automatic results of that file.
     """
-    if entry.attempt.digest != digest:
+    if entry.attempt.digest != digest or entry.rivals:
         return True
     name = entry.mark.quantity
     now = next((one for one in results if one.quantity == name), None)

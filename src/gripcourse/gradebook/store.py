@@ -15,9 +15,12 @@ from sqlalchemy import Engine, Table, and_, select
 
 from gripcourse.errors import GradebookError, Problem
 from gripcourse.gradebook import rows, schema
-from gripcourse.gradebook.model import Attempt, GradebookEntry, Mark, says_the_same
+from gripcourse.gradebook.joined import family, marks_of_persons
+from gripcourse.gradebook.model import Attempt, GradebookEntry, Mark
+from gripcourse.gradebook.numbering import new_attempts, new_marks
 from gripcourse.gradebook.reading import answers, read_attempts, read_heads, read_results
 from gripcourse.gradebook.results import Result, ResultsToRead
+from gripcourse.issuing.withdrawal import Join
 from gripcourse.machine.database.adding import add_many
 from gripcourse.machine.database.opening import (
     another_was_faster,
@@ -43,9 +46,12 @@ class Gradebook:
 
     Attributes:
         engine: of its database; each call takes a connection of its own.
+        joins: which ids stand for one person, oldest first; marks and waivers are read as those of
+            the person.
     """
 
     engine: Engine
+    joins: tuple[Join, ...] = ()
 
     @property
     def place(self) -> str:
@@ -80,6 +86,8 @@ class Gradebook:
     def add_marks(self, marks: Sequence[Mark]) -> tuple[Mark, ...]:
         """Keep marks, all or none; what already counts just so is not kept twice.
 
+        What has a rival is: it says which of two counts.
+
         Args:
             marks: each against an attempt that is kept.
 
@@ -90,8 +98,15 @@ class Gradebook:
             GradebookError: the database failed; nothing was kept.
         """
         students = {one.student for one in marks}
+
+        def fresh() -> tuple[Mark, ...]:
+            known = [entry.mark for entry in self._kept_entries(students, None)]
+            entries = self.entries(students) if self.joins else ()
+            disputed = {(one.mark.student, one.mark.quantity) for one in entries if one.rivals}
+            return new_marks(marks, known, disputed)
+
         return self.add(
-            lambda: _new_marks(marks, [entry.mark for entry in self.entries(students)]),
+            fresh,
             lambda fresh: [
                 (schema.marks, [rows.mark_row(one) for one in fresh]),
                 (schema.mark_lines, [row for one in fresh for row in rows.line_rows(one)]),
@@ -122,7 +137,11 @@ class Gradebook:
         """Return the students of whom anything was ever marked."""
         question = select(schema.marks.c.student).distinct()
         with refusals_named(self.place), self.engine.connect() as connection:
-            return frozenset(connection.execute(question).scalars())
+            marked = set(connection.execute(question).scalars())
+        for join in self.joins:
+            if join.student in marked:
+                marked.add(join.person)
+        return frozenset(marked)
 
     def entries(
         self,
@@ -135,6 +154,15 @@ class Gradebook:
             students: ids.
             known: all attempts of these students, where somebody has just read them.
         """
+        if not self.joins:
+            return self._kept_entries(students, known)
+        wanted = None if students is None else family(students, self.joins)
+        found = marks_of_persons(self._kept_entries(wanted, known), self.joins)
+        return tuple(one for one in found if students is None or one.mark.student in students)
+
+    def _kept_entries(
+        self, students: Collection[str] | None, known: Sequence[Attempt] | None
+    ) -> tuple[GradebookEntry, ...]:
         one, line = schema.marks.c, schema.mark_lines.c
         question = (
             select(schema.marks, line.line, line.credit.label("line_credit"))
@@ -220,9 +248,9 @@ class Gradebook:
         )
 
 
-def open_gradebook(place: str) -> Gradebook:
+def open_gradebook(place: str, joins: tuple[Join, ...] = ()) -> Gradebook:
     """Open a gradebook, made where there is none yet; see `database.opening`."""
-    return Gradebook(open_engine(place))
+    return Gradebook(open_engine(place), joins)
 
 
 def attempt_rows(attempts: Sequence[Attempt]) -> Writing:
@@ -231,48 +259,3 @@ def attempt_rows(attempts: Sequence[Attempt]) -> Writing:
         (schema.attempts, (rows.attempt_row(one) for one in attempts)),
         (schema.results, (row for one in attempts for row in rows.result_rows(one))),
     ]
-
-
-def new_attempts(
-    attempts: Sequence[Attempt], known: Sequence[Attempt], undone: Collection[int]
-) -> tuple[Attempt, ...]:
-    """Number the attempts that differ from what stands for the same bytes.
-
-    Args:
-        attempts: as they were graded.
-        known: all attempts of their students.
-        undone: numbers of the regrades that were taken back.
-    """
-    last: dict[str, int] = {}
-    last_of_bytes: dict[tuple[str, str], Attempt] = {}
-    for one in known:
-        last[one.student] = max(last.get(one.student, 0), one.number)
-        if one.regrade not in undone:
-            last_of_bytes[one.student, one.digest] = one
-    fresh: list[Attempt] = []
-    for one in attempts:
-        before = last_of_bytes.get((one.student, one.digest))
-        if before is not None and says_the_same(before, one):
-            continue
-        last[one.student] = last.get(one.student, 0) + 1
-        fresh.append(replace(one, number=last[one.student]))
-        last_of_bytes[one.student, one.digest] = fresh[-1]
-    return tuple(fresh)
-
-
-def _new_marks(marks: Sequence[Mark], known: Sequence[Mark]) -> tuple[Mark, ...]:
-    """Number the marks that differ from the one that counts."""
-    counting: dict[tuple[str, str], Mark] = {}
-    for one in known:
-        before = counting.get((one.student, one.quantity))
-        if before is None or before.number < one.number:
-            counting[one.student, one.quantity] = one
-    fresh: list[Mark] = []
-    for one in marks:
-        before = counting.get((one.student, one.quantity))
-        number = before.number if before else 0
-        if before is not None and replace(one, number=number, marked_at=before.marked_at) == before:
-            continue
-        fresh.append(replace(one, number=number + 1))
-        counting[one.student, one.quantity] = fresh[-1]
-    return tuple(fresh)

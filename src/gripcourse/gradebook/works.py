@@ -3,10 +3,15 @@
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from datetime import datetime
+from itertools import accumulate
+from types import MappingProxyType
+from typing import Final
 
 from gripcourse.gradebook.model import Attempt, GradebookEntry
 from gripcourse.gradebook.results import Result
 from gripcourse.grading.model import PointSums
+
+_NOTHING: Final[Mapping[tuple[str, str], int]] = MappingProxyType({})
 
 
 @dataclass(frozen=True, slots=True)
@@ -19,6 +24,7 @@ class StudentWork:
         first: its first attempt.
         attempt: the attempt that stands for it.
         handed_in: when; what a person said last goes before the file's own time. None: unknown.
+        taken: its place among what the desk took of the student; None where it came otherwise.
     """
 
     student: str
@@ -26,6 +32,7 @@ class StudentWork:
     first: Attempt
     attempt: Attempt
     handed_in: datetime | None
+    taken: int | None = None
 
     @property
     def digest(self) -> str:
@@ -33,27 +40,55 @@ class StudentWork:
         return self.attempt.digest
 
 
-def works_of(standing: Iterable[Attempt]) -> dict[str, tuple[StudentWork, ...]]:
+def works_of(
+    standing: Iterable[Attempt], taken: Mapping[tuple[str, str], int] = _NOTHING
+) -> dict[str, tuple[StudentWork, ...]]:
     """Return the works of each student, in the order in which they were graded first.
 
     Args:
         standing: attempts of any students, without those that were taken back.
+        taken: by student and digest, the place of a work among what the desk took of the student.
     """
     by_student: dict[str, dict[str, list[Attempt]]] = {}
     for one in sorted(standing, key=lambda one: one.number):
         by_student.setdefault(one.student, {}).setdefault(one.digest, []).append(one)
     return {
         student: tuple(
-            StudentWork(student, number, attempts[0], attempts[-1], _handed_in(attempts))
-            for number, attempts in enumerate(by_file.values(), start=1)
+            StudentWork(
+                student,
+                number,
+                attempts[0],
+                attempts[-1],
+                _handed_in(attempts),
+                taken.get((student, digest)),
+            )
+            for number, (digest, attempts) in enumerate(by_file.items(), start=1)
         )
         for student, by_file in by_student.items()
     }
 
 
 def in_order(works: Iterable[StudentWork]) -> list[StudentWork]:
-    """Return the works of one student in the order in which they were handed in."""
-    return sorted(works, key=lambda one: (one.handed_in or one.first.graded_at, one.number))
+    """Return the works of one student in the order in which they were handed in.
+
+    What the desk took stands in the order in which it did, also where the clock was set back
+    meanwhile; among it other works stand by their times.
+    """
+    known = tuple(works)
+    by_desk = sorted((one for one in known if one.taken is not None), key=_place)
+    times = accumulate((_time(one) for one in by_desk), max)
+    at_least = {one.digest: time for one, time in zip(by_desk, times, strict=True)}
+    return sorted(
+        known, key=lambda one: (at_least.get(one.digest, _time(one)), _place(one), one.number)
+    )
+
+
+def _time(work: StudentWork) -> datetime:
+    return work.handed_in or work.first.graded_at
+
+
+def _place(work: StudentWork) -> int:
+    return work.taken or 0
 
 
 def _handed_in(attempts: Sequence[Attempt]) -> datetime | None:

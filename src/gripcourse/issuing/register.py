@@ -6,7 +6,7 @@ from operator import attrgetter
 
 from gripcourse.errors import Problem, RegisterError
 from gripcourse.issuing.signature import verify
-from gripcourse.issuing.withdrawal import Withdrawal, joined_to
+from gripcourse.issuing.withdrawal import Join, Withdrawal, joined_to, joins_of
 from gripcourse.text.words import message
 from gripcourse.variants.model import Issued, Student
 
@@ -33,6 +33,11 @@ class Register:
     def by_student(self) -> Mapping[str, Issued]:
         """Return the entries by student id."""
         return {entry.student.id: entry for entry in self.entries}
+
+    @property
+    def joins(self) -> tuple[Join, ...]:
+        """Which ids stand for one person, in the order in which they were joined."""
+        return joins_of(self.withdrawals)
 
     def find(self, student: str) -> Issued | None:
         """Return the entry of whom an id names, also where it was joined with another's."""

@@ -12,9 +12,11 @@ from typing import Any, Final, Generic, TypeAlias, TypeVar
 
 from gripcourse.issuing.register import is_unchanged, refuse_changed
 from gripcourse.issuing.withdrawal import (
+    Join,
     Withdrawal,
     as_of_person,
     joined_to,
+    joins_of,
     why_left,
     with_latest_deadline,
 )
@@ -39,12 +41,14 @@ class ShelvedRegister:
         earlier: by student id, the versions before that, oldest first; without students who have
             none.
         joined: by id that was joined with another's, the id of the student.
+        joins: the same with their moments, in the order in which they were joined.
     """
 
     course_id: str
     last: Mapping[str, Issued]
     earlier: Mapping[str, tuple[Issued, ...]]
     joined: Mapping[str, str] = field(default_factory=dict)
+    joins: tuple[Join, ...] = ()
 
 
 def shelved(
@@ -106,7 +110,8 @@ def shelved(
         for student in (*of_others, *(one for one in oldest_first if one not in of_others))
     }
     last = _LastVersions(numbers, rows.entry)
-    return ShelvedRegister(course_id, last, _Loading(earlier, rows.entries), joined)
+    loading = _Loading(earlier, rows.entries)
+    return ShelvedRegister(course_id, last, loading, joined, joins_of(withdrawals))
 
 
 @dataclass(frozen=True, slots=True, eq=False, repr=False)

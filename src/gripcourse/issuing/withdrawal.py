@@ -4,7 +4,7 @@ What was issued stays as it is. A withdrawal is an entry of its own, with a reas
 it back; the last one of a student counts. Pure.
 """
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from datetime import datetime
 from typing import Final
@@ -38,22 +38,52 @@ class Withdrawal:
     at: datetime
 
 
+@dataclass(frozen=True, slots=True)
+class Join:
+    """That an id stands for the same person as another one, since a moment.
+
+    Attributes:
+        student: the id that was joined.
+        person: the id with which it was joined.
+        at: when.
+    """
+
+    student: str
+    person: str
+    at: datetime
+
+
 def standing(withdrawals: Iterable[Withdrawal]) -> dict[str, Withdrawal]:
     """Return by student the withdrawal that counts; one that was undone does not."""
     last = {one.student: one for one in withdrawals}
     return {student: one for student, one in last.items() if not one.undone}
 
 
-def joined_to(withdrawals: Iterable[Withdrawal]) -> dict[str, str]:
+def joined_to(withdrawals: Sequence[Withdrawal]) -> dict[str, str]:
     """Return by each id that was joined with another the id that stands for the person now."""
-    direct = {one.student: one.same_as for one in standing(withdrawals).values() if one.same_as}
+    return persons_of(joins_of(withdrawals))
+
+
+def joins_of(withdrawals: Sequence[Withdrawal]) -> tuple[Join, ...]:
+    """Return which ids are joined now, in the order in which they were."""
+    counting = standing(withdrawals)
+    return tuple(
+        Join(one.student, one.same_as, one.at)
+        for one in withdrawals
+        if one.same_as and counting.get(one.student) is one
+    )
+
+
+def persons_of(joins: Sequence[Join]) -> dict[str, str]:
+    """Return by each id that was joined with another the id that stands for the person now.
+
+    Args:
+        joins: that stand, in the order in which they were joined.
+    """
     found: dict[str, str] = {}
-    for student, same_as in direct.items():
-        # Each was joined with somebody who stood alone then: there is no way back to the first.
-        person = same_as
-        while person in direct:
-            person = direct[person]
-        found[student] = person
+    for join in reversed(joins):
+        # Each was joined with somebody who stood alone then, and may have been joined later.
+        found[join.student] = found.get(join.person, join.person)
     return found
 
 

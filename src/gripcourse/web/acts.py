@@ -7,6 +7,7 @@ from typing import Final
 from gripcourse.access.desk.model import HandIn, Publication, RegradeRequest, TooOftenError
 from gripcourse.api.results import CheckResult
 from gripcourse.errors import UsageError
+from gripcourse.gradebook.joined import family
 from gripcourse.machine.content import NamedBytes
 from gripcourse.machine.jobs.lost import Lost
 from gripcourse.text.shown import shown
@@ -88,9 +89,19 @@ def keep_file(site: Site, issued: Issued, file: NamedBytes | None) -> Receipt | 
         return refusal_of_problem(refused, Code.FILE_NOT_KEPT)
 
 
-def kept_file(site: Site, student: str, number: int) -> HandIn | None:
-    """Return a file that a student handed in."""
-    found = (one for one in site.context.desk.hand_ins(student) if one.number == number)
+def kept_file(site: Site, student: str, number: int, of: str = "") -> HandIn | None:
+    """Return a file that a student handed in; None for no such.
+
+    Args:
+        site: of the course.
+        student: the id that stands for the person, or one that was joined with it.
+        number: of the receipt.
+        of: the id under which it was handed in; empty for the student's own.
+    """
+    context = site.context
+    if of and of not in family({student}, context.joins()):
+        return None
+    found = (one for one in context.desk.hand_ins(of or student) if one.number == number)
     return next(found, None)
 
 

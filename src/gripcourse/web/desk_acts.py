@@ -19,6 +19,7 @@ from gripcourse.usecases.marks.regrade import Regrading, apply_regrade, regrade,
 from gripcourse.usecases.serving.begin_grading import begin_grading
 from gripcourse.usecases.serving.desk import DeskContext
 from gripcourse.usecases.serving.hand_in import kept_path, may_count
+from gripcourse.usecases.serving.taken import hand_ins_by_person
 from gripcourse.web.acts import reason
 from gripcourse.web.batch import LastBatch
 from gripcourse.web.refusals import NOT_FOUND, Code, WebRefusal, unless_in_conflict
@@ -81,7 +82,11 @@ def grading_now(site: Site, graded: Path) -> GradingNow:
     Raises:
         OSError: the folder cannot be read.
     """
-    progress, hand_ins = batch_progress(graded), site.context.desk.hand_ins()
+    context = site.context
+    progress, hand_ins = (
+        batch_progress(graded),
+        hand_ins_by_person(context.desk, context.joins()),
+    )
     return GradingNow(
         runs=progress is not None or site.own_batch.runs,
         silent=progress is not None and progress.is_silent(site.clock()),
@@ -160,8 +165,12 @@ def works_handed_in(context: DeskContext) -> list[NamedBytes]:
     Raises:
         OSError: one cannot be read.
     """
-    works = (one for one in context.desk.hand_ins() if not one.is_drawing)
-    files = {(one.student, one.digest): one for one in works}
+    files = {
+        (student, one.digest): one
+        for student, all_ in hand_ins_by_person(context.desk, context.joins()).items()
+        for one in all_
+        if not one.is_drawing
+    }
     return [
         NamedBytes(
             f"{student}{PurePath(one.name).suffix.lower()}", kept_path(context, digest).read_bytes()

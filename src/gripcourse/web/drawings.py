@@ -78,8 +78,11 @@ def shown_drawing(seat: Seat, kept: HandIn, page: int) -> ShownDrawing:
 
 def drawings_of(hand_ins: Iterable[HandIn]) -> tuple[HandIn, ...]:
     """Return the drawings among files, the newest first; of files called the same only that one."""
-    last = {one.name: one for one in hand_ins if one.is_drawing}
-    return tuple(sorted(last.values(), key=lambda one: one.number, reverse=True))
+    last: dict[str, HandIn] = {}
+    for one in (one for one in hand_ins if one.is_drawing):
+        last.pop(one.name, None)
+        last[one.name] = one
+    return tuple(reversed(last.values()))
 
 
 def painted(site: Site, kept: HandIn, page: int) -> tuple[Path, int] | None:

@@ -13,6 +13,7 @@ from gripcourse.text.spelling import alphabetical, plain
 from gripcourse.usecases.serving.counted import CountedWork, counted_works
 from gripcourse.usecases.serving.desk import DeskContext
 from gripcourse.usecases.serving.hand_in import is_late, latest
+from gripcourse.usecases.serving.taken import hand_ins_by_person, hand_ins_of
 from gripcourse.variants.model import Issued, Student
 
 
@@ -124,11 +125,16 @@ def _members(
     context: DeskContext, group: Mapping[str, Issued], only: str | None
 ) -> list[GroupMember]:
     """Return students with what is kept of them; nothing of others is read where one is named."""
-    hand_ins = context.desk.hand_ins(only)
+    joins = context.joins()
+    hand_ins = (
+        hand_ins_by_person(context.desk, joins)
+        if only is None
+        else {only: hand_ins_of(context.desk, only, joins)}
+    )
     last = latest(context, hand_ins)
-    files = Counter(one.student for one in hand_ins)
+    files = {student: len(of) for student, of in hand_ins.items()}
     checks = Counter(one.student for one in context.desk.checks(only))
-    book, names = Gradebook(context.desk.engine), None if only is None else {only}
+    book, names = Gradebook(context.desk.engine, joins), None if only is None else {only}
     works = counted_works(context, names)
     marked = latest_marks_of_all(book.entries(names))
     requests = Counter(
@@ -141,7 +147,7 @@ def _members(
             issued=issued,
             hand_in=last.get(id_),
             late=id_ in last and is_late(context, issued, last[id_].at),
-            files=files[id_],
+            files=files.get(id_, 0),
             checks=checks[id_],
             requests=requests[id_],
             work=works.get(id_),

@@ -13,6 +13,7 @@ from gripcourse.text.words import message
 from gripcourse.usecases.publishing.publish import current, published_grades, published_to
 from gripcourse.usecases.serving.hand_in import kept_path, receipt_of
 from gripcourse.usecases.serving.sign_in import SESSION_HOURS, sign_in
+from gripcourse.usecases.serving.taken import hand_ins_of, requests_of
 from gripcourse.web import acts
 from gripcourse.web.group import (
     GroupMember,
@@ -111,11 +112,14 @@ def student(seat: Seat) -> Response:
     if row is None:
         return seat.refuse(NOT_FOUND)
     context, id_ = seat.site.context, row.issued.student.id
-    book = Gradebook(context.desk.engine)
+    book = Gradebook(context.desk.engine, context.joins())
     published = published_to(context, id_)
     values: dict[str, object] = {
         "row": row,
-        "hand_ins": [receipt_of(context, row.issued, one) for one in context.desk.hand_ins(id_)],
+        "hand_ins": [
+            receipt_of(context, row.issued, one)
+            for one in hand_ins_of(context.desk, id_, context.joins())
+        ],
         "checks": context.desk.checks(id_),
         "attempts": book.attempts({id_}),
         "results": [
@@ -123,7 +127,10 @@ def student(seat: Seat) -> Response:
             for one in (() if row.work is None else row.work.attempt.results)
         ],
         "marks": [entry.mark for entry in book.entries({id_})],
-        "requests": [(one, is_answered(one, row.marked)) for one in context.desk.requests(id_)],
+        "requests": [
+            (one, is_answered(one, row.marked))
+            for one in requests_of(context.desk, id_, context.joins())
+        ],
         "report": published is not None and published.pdf is not None,
         "flags": flags_of(seat.site, seat.words, id_),
         "titles": titles_of(context, seat.words),

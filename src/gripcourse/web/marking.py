@@ -25,6 +25,7 @@ from gripcourse.text.words import Words
 from gripcourse.usecases.marks.mark import item_of, what_waits
 from gripcourse.usecases.serving.desk import DeskContext
 from gripcourse.usecases.serving.hand_in import receipt_of
+from gripcourse.usecases.serving.taken import hand_ins_of, requests_of
 from gripcourse.variants.model import Issued
 from gripcourse.web.desk_acts import keep_mark, marks_seen
 from gripcourse.web.drawings import drawings_of, shown_drawing
@@ -126,9 +127,11 @@ def _shown(seat: Seat, typed: Mapping[str, str], faults: Sequence[str]) -> Respo
         return seat.refuse(NOT_FOUND)
     places = [(one.student, one.quantity) for one in waits]
     context = seat.site.context
-    drawings = drawings_of(context.desk.hand_ins(here[0]))
+    handed_in = hand_ins_of(context.desk, here[0], context.joins())
+    drawings = drawings_of(handed_in)
     asked = seat.request.query_params
-    chosen = next((one for one in drawings if str(one.number) == asked.get("drawing")), None)
+    wanted = asked.get("of", here[0]), asked.get("drawing")
+    chosen = next((one for one in drawings if (one.student, str(one.number)) == wanted), None)
     chosen = chosen or (drawings[0] if drawings else None)
     number = asked.get("page", "")
     on_page = int(number) if number.isdecimal() and len(number) < _LONGEST_NUMBER else 1
@@ -149,12 +152,14 @@ def _shown(seat: Seat, typed: Mapping[str, str], faults: Sequence[str]) -> Respo
         "count": len(waits),
         "previous": None if neighbours[-1] is None else _address(seat, *neighbours[-1]),
         "next": None if neighbours[1] is None else _address(seat, *neighbours[1]),
-        "hand_ins": [
-            receipt_of(context, item.issued, one) for one in context.desk.hand_ins(here[0])
-        ],
+        "hand_ins": [receipt_of(context, item.issued, one) for one in handed_in],
         "drawings": drawings,
         "drawing": None if chosen is None else shown_drawing(seat, chosen, on_page),
-        "requests": [one for one in context.desk.requests(here[0]) if one.item == here[1]],
+        "requests": [
+            one
+            for one in requests_of(context.desk, here[0], context.joins())
+            if one.item == here[1]
+        ],
         "credit": typed.get("credit", ""),
         "comment": typed.get("comment", ""),
         "faults": faults,
@@ -202,11 +207,13 @@ def _typed(seat: Seat, student: str, item: str) -> str:
 
 
 def _item_now(seat: Seat) -> ItemNow | None:
-    return item_of(home_of(seat.site.context.course.root), *_place(seat))
+    context = seat.site.context
+    return item_of(home_of(context.course.root), *_place(seat), context.joins())
 
 
 def _waiting(seat: Seat) -> tuple[Waiting, ...]:
-    return what_waits(home_of(seat.site.context.course.root))
+    context = seat.site.context
+    return what_waits(home_of(context.course.root), context.joins())
 
 
 def _place(seat: Seat) -> tuple[str, str]:

@@ -27,6 +27,7 @@ from gripcourse.usecases.publishing.publish import ShownResult, published_to
 from gripcourse.usecases.serving.counted import which_counts
 from gripcourse.usecases.serving.hand_in import is_late, kept_path, receipt_of
 from gripcourse.usecases.serving.links import open_link, signed_for
+from gripcourse.usecases.serving.taken import hand_ins_of, requests_of
 from gripcourse.variants.model import Issued
 from gripcourse.web import acts
 from gripcourse.web.pages import (
@@ -171,12 +172,12 @@ def home(visit: Visit) -> Response:
         "compares": rule.tells is not Tells.READING,
         "left": acts.checks_left(visit.site, visit.student),
         "times": rule.times,
-        "hand_ins": context.desk.hand_ins(visit.student),
+        "hand_ins": hand_ins_of(context.desk, visit.student, context.joins()),
         "which_counts": words.say(which_counts(context.policy.attempts)),
         "published": None if published is None else _results(published, titles),
         "requests": [
             (titles.get(one.item, one.item), one.sentence, one.at)
-            for one in context.desk.requests(visit.student)
+            for one in requests_of(context.desk, visit.student, context.joins())
         ],
     }
     return page(visit.site, visit.request, "assignment", words, values)
@@ -282,6 +283,7 @@ def receipt(visit: Visit) -> Response:
         "student": visit.issued.student,
         "variant": visit.issued.variant.id,
         "receipt": made,
+        "of": "" if kept.student == visit.student else kept.student,
         "clock": zone_name(visit.site.context.zone),
     }
     return page(visit.site, visit.request, "receipt", visit.words, values)
@@ -314,7 +316,8 @@ def regrade_request(visit: Visit) -> Response:
 
 
 def _kept(visit: Visit) -> HandIn | None:
-    return acts.kept_file(visit.site, visit.student, int(visit.request.path_params["number"]))
+    number, of = visit.request.path_params["number"], visit.request.query_params.get("of", "")
+    return acts.kept_file(visit.site, visit.student, int(number), of)
 
 
 def _issued_file(visit: Visit, place: Callable[[Path, str], Path]) -> Path | None:

@@ -46,7 +46,7 @@ def work(issued: "Classroom", tmp_path_factory: pytest.TempPathFactory) -> Path:
 def join(root: Path, *, undo: bool = False) -> list[str]:
     same_as = "" if undo else "s01"
     wanted = Withdrawal("s03", same_as, undo, "Сменила фамилию", "Петров", NOW)
-    return [str(one) for one in withdraw(wanted, root, home_of(root))]
+    return [str(one) for one in withdraw(wanted, root, home_of(root)).notes]
 
 
 def graded(root: Path, *files: Path) -> list[Report]:
@@ -94,20 +94,20 @@ def test_nothing_waits_twice_and_nothing_is_missed_of_what_was_graded_before(
     join(root)
     graded(root, work)
     context = open_grading(root)
-    waits = what_waits(home_of(root), context.joined)
+    waits = what_waits(home_of(root), context.joins)
     assert {one.student for one in waits} == {"s01"}
     found = regrade([work], context, home_of(root), 0, NOW)
     assert ([one.work.student for one in found.changes], found.missing) == (["s01"], ())
 
 
-def test_marks_by_hand_that_have_to_be_given_again_are_counted(root: Path, work: Path) -> None:
+def test_marks_by_hand_that_become_the_persons_are_named(root: Path, work: Path) -> None:
     assert len(join(root)) == 1
     join(root, undo=True)
     graded(root, work)
     draft = Draft("s03", "general_view_drawing", {"sizes": 1.0, "assembly": 1.0, "standards": 1.0})
     enter_mark(draft, open_grading(root), home_of(root), "Петров", NOW)
     _, note = join(root)
-    assert note.startswith("1 mark by hand was given to s03")
+    assert note.startswith("1 mark by hand that was given to s03 is that of s01 now")
 
 
 def test_the_history_of_both_tells_it(root: Path, work: Path) -> None:

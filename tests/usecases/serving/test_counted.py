@@ -24,6 +24,7 @@ from gripcourse.policy.time_rules import AttemptRule, Counts, LateRule
 from gripcourse.usecases.grading.collect import collect
 from gripcourse.usecases.marks.gradebook import keep
 from gripcourse.usecases.marks.handed_in import HandingTime, handed_in_times
+from gripcourse.usecases.marks.mark import existing_gradebook
 from gripcourse.usecases.marks.waive import waive
 from gripcourse.usecases.serving.begin_grading import begin_grading
 from gripcourse.usecases.serving.counted import counted_works, which_counts
@@ -61,11 +62,11 @@ class Term:
         kept = keep(graded, context, home_of(self.context.course.root), NOW, times)
         return {name: one.report for name, one in zip(days, kept, strict=True)}
 
-    def bring(self, student: str, works: Sequence[Path]) -> None:
-        """Hand works in at the server, each an hour after what came before."""
+    def bring(self, student: str, works: Sequence[Path], hours: int = 1) -> None:
+        """Hand works in at the server, each some hours after what came before by its clock."""
         issued, before = self.context.register()[student], self.context.desk.hand_ins(student)
         for number, work in enumerate(works, start=len(before)):
-            at = NOW + timedelta(hours=number)
+            at = NOW + timedelta(hours=number * hours)
             hand_in(self.context, issued, NamedBytes(work.name, work.read_bytes()), at)
 
     def grade_collected(self) -> list[str]:
@@ -181,3 +182,32 @@ def test_a_student_is_told_which_workbook_counts() -> None:
         "Of the first 3 workbooks the best one counts.",
         "The first workbook counts.",
     ]
+
+
+@pytest.mark.parametrize("at_once", [True, False])
+@pytest.mark.parametrize(
+    ("rule", "counting"),
+    [(AttemptRule(Counts.LAST, 0), 1), (AttemptRule(Counts.FIRST, 0), 0), (None, 1)],
+)
+def test_a_clock_that_was_set_back_makes_no_later_work_the_earlier_one(
+    term: Term, rule: AttemptRule | None, counting: int, *, at_once: bool
+) -> None:
+    ruled = term.ruled(RULE, rule)
+    works = [
+        term.classroom.hand_in("s01", one, term.folder / f"{name}.xlsx")
+        for name, one in (("a", correct), ("b", forget_one_jaw))
+    ]
+    digests = [hashlib.sha256(one.read_bytes()).hexdigest() for one in works]
+    if at_once:
+        ruled.bring("s01", works, hours=-1)
+        ruled.grade_collected()
+    else:
+        for work in works:
+            ruled.bring("s01", [work], hours=-1)
+            ruled.grade_collected()
+    assert counted_works(ruled.context)["s01"].attempt.digest == digests[counting]
+    known = existing_gradebook(home_of(term.context.course.root)).attempts({"s01"})
+    # Lateness is counted from what the receipt says.
+    times = {one.digest: one.handed_in for one in known}
+    assert all(times[one.digest] == one.at for one in term.context.desk.hand_ins("s01")
+               if one.digest in times)  # fmt: skip

@@ -8,6 +8,7 @@ from itertools import chain, islice
 from types import MappingProxyType
 from typing import Final
 
+from gripcourse.access.desk.store import Desk
 from gripcourse.batch.context import GradingContext
 from gripcourse.batch.graded import Changes, Graded, reports_of, with_reports
 from gripcourse.gradebook.apply import as_it_stands, with_marks
@@ -30,6 +31,7 @@ from gripcourse.machine.database.home import exists
 from gripcourse.machine.database.opening import demand_writing
 from gripcourse.policy.time_rules import Counts
 from gripcourse.usecases.marks.handed_in import HandingTime
+from gripcourse.usecases.serving.taken import order_of_works
 
 # What the gradebook knows of all at once is large: attempts take some ten kilobytes each.
 _STUDENTS_AT_ONCE: Final = 200
@@ -91,7 +93,7 @@ def keep(
         # Nobody's file: a gradebook is not made for nothing.
         return graded
     deadlines = course_deadlines(context.course.root, context.policy.late)
-    book = open_gradebook(place)
+    book = open_gradebook(place, context.joins)
     keeping = _Keeping(
         context=context,
         book=book,
@@ -102,6 +104,7 @@ def keep(
         told=publications(book),
         waived=waivers(book),
         marked=book.marked_students(),
+        taken=order_of_works(Desk(book.engine, context.course.id), context.joins),
     )
     left = iter(places)
     portions = iter(lambda: tuple(islice(left, _STUDENTS_AT_ONCE)), ())
@@ -123,6 +126,7 @@ class _Keeping:
         told: what students were told so far.
         waived: the waivers of each student.
         marked: students of whom anything was ever marked.
+        taken: by student and digest, the place of a work among what the desk took of the student.
     """
 
     context: GradingContext
@@ -134,6 +138,7 @@ class _Keeping:
     told: Sequence[Published]
     waived: Mapping[str, tuple[Waiver, ...]]
     marked: Container[str]
+    taken: Mapping[tuple[str, str], int]
 
 
 def _kept(
@@ -162,7 +167,7 @@ def _kept(
     entries: dict[str, list[GradebookEntry]] = defaultdict(list)
     for entry in book.entries(students, known):
         entries[entry.mark.student].append(entry)
-    works = works_of(one for one in known if one.regrade not in undone)
+    works = works_of((one for one in known if one.regrade not in undone), keeping.taken)
     for name in students:
         stands = {one.digest: one.attempt for one in works[name] if (name, one.digest) in told}
         entered = [_entered(one, stands.get(one.digest), entries[name]) for one in reports[name]]
@@ -175,7 +180,7 @@ def _kept(
         )
         if timings:
             entered = [replace(one, timing=timings.get(one.digest)) for one in entered]
-        if policy.attempts is not None and _is_ordered(timings.values()):
+        if policy.attempts is not None and _is_ordered(timings.values(), works[name]):
             entered = [_undisputed(one) for one in entered]
         for number, found_out, stands_now in zip(places[name], reports[name], entered, strict=True):
             if stands_now is not found_out:
@@ -197,8 +202,10 @@ def _known(keeping: _Keeping, students: Sequence[str]) -> tuple[Attempt, ...]:
     return (*unread, *(keeping.book.attempts(to_read) if to_read else ()))
 
 
-def _is_ordered(timings: Iterable[Timing]) -> bool:
+def _is_ordered(timings: Iterable[Timing], works: Sequence[StudentWork]) -> bool:
     """Tell whether it is known which work of a student was handed in before which."""
+    if all(one.taken is not None for one in works):
+        return True
     times = [one.handed_in for one in timings]
     return None not in times and len(set(times)) == len(times)
 

@@ -6,20 +6,22 @@ from datetime import datetime
 from itertools import accumulate
 
 from gripcourse.access.desk.model import GradedBatch
-from gripcourse.access.desk.store import batches_by_time
+from gripcourse.access.desk.store import Desk, batches_by_time
 from gripcourse.batch.context import GradingContext
 from gripcourse.errors import Problem, UsageError
 from gripcourse.gradebook.counted import counted_work
 from gripcourse.gradebook.deadlines import course_deadlines, deadline_by_rule
+from gripcourse.gradebook.joined import family
 from gripcourse.gradebook.journal import publications, regrades, waivers
 from gripcourse.gradebook.model import Attempt, GradebookEntry, latest_marks
 from gripcourse.gradebook.timing import Waiver
 from gripcourse.gradebook.works import in_order, points_of, works_of
-from gripcourse.issuing.withdrawal import Withdrawal
+from gripcourse.issuing.withdrawal import Withdrawal, joins_of
 from gripcourse.text.shown import shown
 from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.words import Message, message
 from gripcourse.usecases.marks.mark import existing_gradebook
+from gripcourse.usecases.serving.taken import order_of_works
 
 _DECIMALS = 2
 
@@ -47,6 +49,7 @@ def history(
     known: Container[str] = (),
     called: Callable[[str], str] = str,
     withdrawals: Iterable[Withdrawal] = (),
+    course_id: str = "",
 ) -> tuple[Event, ...]:
     """Return what happened to a student's grade, oldest first.
 
@@ -56,6 +59,7 @@ def history(
         known: students of the register; of these nothing may have happened yet.
         called: what people call the quantity of an id.
         withdrawals: of the course.
+        course_id: of the course; empty where nothing was handed in at its desk.
 
     Raises:
         GradebookError: there is no gradebook, or it cannot be used.
@@ -64,6 +68,9 @@ def history(
     book = existing_gradebook(place)
     attempts = book.attempts({student})
     waived = waivers(book)
+    withdrawals = tuple(withdrawals)
+    joins = joins_of(withdrawals)
+    taken = order_of_works(Desk(book.engine, course_id), joins) if course_id else {}
     withdrawn = tuple(_of_withdrawals(student, withdrawals))
     if not (attempts or student in known or student in waived or withdrawn):
         everybody = {one.student for one in book.attempts()}
@@ -81,7 +88,7 @@ def history(
             )
             regraded.append(Event(one.signed.done_at, one.signed.person, what, one.signed.why))
     batches = batches_by_time(book.engine)
-    numbers = _numbers(attempts)
+    numbers = _numbers(attempts, taken)
     published: list[Event] = []
     for told in publications(book):
         if told.student == student:
@@ -92,15 +99,19 @@ def history(
                 number=numbers.get(told.attempt, told.attempt),
             )
             published.append(Event(told.signed.done_at, told.signed.person, said, ""))
-    marks: dict[str, list[Event]] = {}
-    for entry in book.entries({student}):
-        marks.setdefault(entry.mark.quantity, []).append(_of_mark(entry, called))
+    marks: dict[tuple[str, str], list[Event]] = {}
+    ids = sorted(family({student}, joins))
+    for entry in book.entries(ids):
+        given_to = entry.mark.student
+        told_of = _of_mark(entry, called, "" if given_to == student else given_to)
+        marks.setdefault((given_to, entry.mark.quantity), []).append(told_of)
+    given = [tuple(_of_waiver(one, student) for one in waived.get(id_, ())) for id_ in ids]
     return _by_time(
         regraded,
         tuple(_of_attempts(attempts, numbers, batches)),
         *marks.values(),
         published,
-        tuple(map(_of_waiver, waived.get(student, ()))),
+        *given,
         withdrawn,
     )
 
@@ -132,11 +143,12 @@ def what_counts(place: str, student: str, context: GradingContext) -> Message | 
         GradebookError: there is no gradebook, or it cannot be used.
         TableError: the table of deadlines cannot be used.
     """
-    book, rule = existing_gradebook(place), context.policy.late
+    book, rule = existing_gradebook(place, context.joins), context.policy.late
     deadlines = course_deadlines(context.course.root, rule)
+    taken = order_of_works(Desk(book.engine, context.course.id), context.joins)
     counted = counted_work(
         context.policy,
-        works_of(book.standing({student})).get(student, ()),
+        works_of(book.standing({student}), taken).get(student, ()),
         latest_marks(book.entries({student})),
         deadline_by_rule(context.register.get(student), deadlines, rule),
         waivers(book).get(student, ()),
@@ -163,7 +175,7 @@ def what_counts(place: str, student: str, context: GradingContext) -> Message | 
     )
 
 
-def _of_waiver(waiver: Waiver) -> Event:
+def _of_waiver(waiver: Waiver, student: str) -> Event:
     if waiver.withdrawn:
         what = message("The waiver was withdrawn: lateness is counted.")
     elif waiver.until is None:
@@ -171,6 +183,8 @@ def _of_waiver(waiver: Waiver) -> Event:
     else:
         until = f"{waiver.until:%Y-%m-%d %H:%M}Z"
         what = message("Lateness is not counted until {until}.", until=until)
+    if waiver.student != student:
+        what = message("{event} (Given to {student}.)", event=what, student=waiver.student)
     return Event(waiver.done_at, waiver.person, what, waiver.why)
 
 
@@ -201,9 +215,11 @@ def versions_text(attempt: Attempt) -> str:
     return "/".join(one[:7] or "—" for one in (used.engine, used.course, used.policy))
 
 
-def _numbers(attempts: Sequence[Attempt]) -> Mapping[int, int]:
+def _numbers(
+    attempts: Sequence[Attempt], taken: Mapping[tuple[str, str], int]
+) -> Mapping[int, int]:
     """Return the number that reports give to the work, by the gradebook's number of each entry."""
-    works = [one for found in works_of(attempts).values() for one in in_order(found)]
+    works = [one for found in works_of(attempts, taken).values() for one in in_order(found)]
     of_work = {one.digest: number for number, one in enumerate(works, start=1)}
     return {one.number: of_work[one.digest] for one in attempts}
 
@@ -254,7 +270,8 @@ def _parts(attempt: Attempt) -> Iterator[str]:
     yield f"({attempt.digest[:7]}; {versions_text(attempt)}{version}{chosen})"
 
 
-def _of_mark(entry: GradebookEntry, called: Callable[[str], str]) -> Event:
+def _of_mark(entry: GradebookEntry, called: Callable[[str], str], given_to: str) -> Event:
+    """Tell of a mark; `given_to` is the id that it was given to, where another one is asked of."""
     mark = entry.mark
     item = called(mark.quantity)
     if mark.credit is None:
@@ -268,4 +285,6 @@ def _of_mark(entry: GradebookEntry, called: Callable[[str], str]) -> Event:
             points=round(mark.credit * possible, _DECIMALS),
             most=round(possible, _DECIMALS),
         )
+    if given_to:
+        what = message("{event} (Given to {student}.)", event=what, student=given_to)
     return Event(mark.marked_at, mark.marker, what, mark.comment)

@@ -1,7 +1,7 @@
 """Marks given by hand: entering one, a whole table, and showing what waits."""
 
-from collections.abc import Callable, Container, Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
 from datetime import datetime
 from functools import cache
 from pathlib import Path
@@ -10,11 +10,13 @@ from gripcourse.batch.context import GradingContext
 from gripcourse.errors import GradebookError, NextStep, Problem, UsageError
 from gripcourse.exports.marks_table import RowToMark, write_marks_table
 from gripcourse.gradebook.enter import Draft, EntryFault, Standing, mark_of
+from gripcourse.gradebook.joined import not_before_joining
 from gripcourse.gradebook.model import Attempt, GradebookEntry, Mark, latest_marks
 from gripcourse.gradebook.store import Gradebook, open_gradebook
 from gripcourse.gradebook.table import read_marks
 from gripcourse.gradebook.waiting import ItemNow, Waiting, item_now, waiting
 from gripcourse.gradebook.works import latest_judged
+from gripcourse.issuing.withdrawal import Join, persons_of
 from gripcourse.machine.content import Readable
 from gripcourse.machine.database.home import exists
 from gripcourse.policy.rubric import Rubric, lines_of
@@ -52,8 +54,12 @@ class Marking:
     empty: int
 
 
-def existing_gradebook(place: str) -> Gradebook:
+def existing_gradebook(place: str, joins: tuple[Join, ...] = ()) -> Gradebook:
     """Open a gradebook that must be there already.
+
+    Args:
+        place: a path or a database URL.
+        joins: which ids stand for one person, oldest first.
 
     Raises:
         GradebookError: there is none, or it cannot be used.
@@ -62,31 +68,34 @@ def existing_gradebook(place: str) -> Gradebook:
         what = message("There is no gradebook here yet.")
         remedy = message("Grade first, or name another place.")
         raise GradebookError([Problem(place, "", what, remedy, step=NextStep.GRADE)])
-    return open_gradebook(place)
+    return open_gradebook(place, joins)
 
 
-def what_waits(place: str, joined: Container[str] = ()) -> tuple[Waiting, ...]:
+def what_waits(place: str, joins: tuple[Join, ...] = ()) -> tuple[Waiting, ...]:
     """Return what waits for a person.
 
     Args:
         place: of the gradebook: a path or a database URL.
-        joined: ids that were joined with others', of whom these works are now.
+        joins: which ids stand for one person, oldest first; of those that were joined the works
+            are the person's.
 
     Raises:
         GradebookError: there is no gradebook, or it cannot be used.
     """
-    book = existing_gradebook(place)
+    book, joined = existing_gradebook(place, joins), persons_of(joins)
     found = waiting(book.standing(), book.entries())
     return tuple(one for one in found if one.student not in joined)
 
 
-def item_of(place: str, student: str, quantity: str) -> ItemNow | None:
+def item_of(
+    place: str, student: str, quantity: str, joins: tuple[Join, ...] = ()
+) -> ItemNow | None:
     """Return how an item of a student's last judged work stands; None where there is none.
 
     Raises:
         GradebookError: there is no gradebook, or it cannot be used.
     """
-    book = existing_gradebook(place)
+    book = existing_gradebook(place, joins)
     attempt = latest_judged(book.standing({student})).get(student)
     if attempt is None:
         return None
@@ -138,7 +147,7 @@ def enter_mark(
         GradebookError: the gradebook cannot be used.
         UsageError: with all that is wrong with the draft.
     """
-    book = existing_gradebook(place)
+    book = existing_gradebook(place, context.joins)
     marks, faults = _marks([draft], context, book, marker, now)
     if faults:
         raise UsageError(
@@ -158,7 +167,7 @@ def enter_table(
         GradebookError: the gradebook cannot be used.
         UsageError: with all that is wrong, by row and column.
     """
-    book = existing_gradebook(place)
+    book = existing_gradebook(place, context.joins)
     table = read_marks(source, lines_of(context.policy.rubrics.values()))
     marks, faults = _marks([one.draft for one in table.rows], context, book, marker, now)
     if faults:
@@ -178,12 +187,18 @@ def enter_table(
 def _marks(
     drafts: Sequence[Draft], context: GradingContext, book: Gradebook, marker: str, now: datetime
 ) -> tuple[list[Mark], list[tuple[int, EntryFault]]]:
-    """Make the marks of drafts, and what is wrong with them by number of the draft."""
-    standing = _standings({one.student for one in drafts}, context, book)
+    """Make the marks of drafts, and what is wrong with them by number of the draft.
+
+    Who is named by an id that was joined with another's is the person whom both stand for.
+    """
+    joined = context.joined
+    of_persons = [replace(one, student=joined.get(one.student, one.student)) for one in drafts]
+    standing = _standings({one.student for one in of_persons}, context, book)
     marks: list[Mark] = []
     faults: list[tuple[int, EntryFault]] = []
-    for number, draft in enumerate(drafts):
-        mark, found = mark_of(draft, standing(draft.student), marker, now)
+    for number, draft in enumerate(of_persons):
+        at = not_before_joining(draft.student, context.joins, now)
+        mark, found = mark_of(draft, standing(draft.student), marker, at)
         faults += [(number, fault) for fault in found]
         if mark is not None:
             marks.append(mark)

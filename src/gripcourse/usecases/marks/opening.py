@@ -75,6 +75,7 @@ def grading_of(course: Course, policy: Policy) -> GradingContext:
         earlier=earlier,
         declared=kept_declarations(course.root, last, chain.from_iterable(earlier.values())),
         joined=register.joined,
+        joins=register.joins,
     )
 
 

@@ -23,6 +23,7 @@ from gripcourse.gradebook.model import Attempt, GradebookEntry, attempt_of, late
 from gripcourse.gradebook.regrade import Shift, WorkChange, change_of
 from gripcourse.gradebook.store import Gradebook
 from gripcourse.gradebook.works import StudentWork, points_of, works_of
+from gripcourse.issuing.withdrawal import Join, persons_of
 from gripcourse.machine.content import Readable
 from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.words import message
@@ -86,7 +87,7 @@ def as_decided(
         UsageError: a file or a student that is named is not there.
         GradebookError: there is no gradebook, or it cannot be used.
     """
-    decided = read_whose(whose, files, context.register)
+    decided = read_whose(whose, files, context.register, context.joined)
     existing_gradebook(place)
     context = replace(context, whose=decided, either_version=either_version)
     return with_kept_versions(context, place)
@@ -116,7 +117,7 @@ def regrade(  # noqa: PLR0913 (the last ones are what everybody leaves as they a
     Raises:
         GradebookError: there is no gradebook, or it cannot be used.
     """
-    book = existing_gradebook(place)
+    book = existing_gradebook(place, context.joins)
     context = with_kept_versions(context, place)
     graded = grade_files(files, context, min(workers, len(files)), on_done, kept=kept)
     by_student = works_of(book.standing())
@@ -210,13 +211,16 @@ def undo_regrade(place: str, signed: Signed) -> Regrade:
     return done[0]
 
 
-def publish(place: str, students: Iterable[str], signed: Signed) -> tuple[Published, ...]:
+def publish(
+    place: str, students: Iterable[str], signed: Signed, joins: tuple[Join, ...] = ()
+) -> tuple[Published, ...]:
     """Record that students know their results: from now on only a regrade changes them.
 
     Args:
         place: of the gradebook.
         students: ids; none for everybody.
         signed: who publishes, and when.
+        joins: which ids stand for one person, oldest first.
 
     Returns:
         What is told now and was not told before.
@@ -225,9 +229,11 @@ def publish(place: str, students: Iterable[str], signed: Signed) -> tuple[Publis
         GradebookError: the gradebook cannot be used.
         UsageError: with every student of whom nothing has been graded.
     """
-    book = existing_gradebook(place)
-    works = works_of(book.standing())
-    wanted = tuple(dict.fromkeys(students)) or tuple(sorted(works))
+    book, persons = existing_gradebook(place, joins), persons_of(joins)
+    # Of an id that was joined with another the works are the other's.
+    works = {one: of for one, of in works_of(book.standing()).items() if one not in persons}
+    named = (persons.get(one, one) for one in students)
+    wanted = tuple(dict.fromkeys(named)) or tuple(sorted(works))
     unknown = [one for one in wanted if one not in works]
     if unknown:
         raise UsageError(

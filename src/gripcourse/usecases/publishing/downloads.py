@@ -9,6 +9,7 @@ from gripcourse.usecases.grading.batch_tables import FILES_CSV, GRADES_CSV
 from gripcourse.usecases.grading.grade import COHORT_PDF, REPORTS
 from gripcourse.usecases.serving.desk import DeskContext
 from gripcourse.usecases.serving.hand_in import kept_path, latest, name_in_folder
+from gripcourse.usecases.serving.taken import hand_ins_by_person
 
 HAND_INS_ZIP: Final = "hand-ins.zip"
 REPORTS_ZIP: Final = "reports.zip"
@@ -25,17 +26,18 @@ def hand_ins_to_pack(context: DeskContext) -> tuple[ToPack, ...]:
     Raises:
         OSError: a file is lost or cannot be read.
     """
-    hand_ins = context.desk.hand_ins()
+    hand_ins = hand_ins_by_person(context.desk, context.joins())
     last = latest(context, hand_ins)
     found = tuple(
         ToPack(
-            part_of_name(name_in_folder(one))
-            if last.get(one.student) == one
+            part_of_name(name_in_folder(one, student))
+            if last.get(student) == one
             else f"{part_of_name(one.student)}/{one.number:03}-{part_of_name(one.name)}",
             kept_path(context, one.digest),
             one.at,
         )
-        for one in hand_ins
+        for student, files in hand_ins.items()
+        for one in files
     )
     for one in found:
         one.path.stat()

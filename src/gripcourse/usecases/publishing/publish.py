@@ -54,7 +54,7 @@ def publish(context: DeskContext, graded: Path, by: str, why: str, now: datetime
         # Somebody may have withdrawn the results before, meanwhile: that has a number, too.
         publication = context.desk.add_publication(number, by, why, now)
     # Who has been told a result must not lose it by grading again: the gradebook keeps that, too.
-    keep_told(home_of(context.course.root), (), Signed(by, now, why))
+    keep_told(home_of(context.course.root), (), Signed(by, now, why), context.joins())
     return publication
 
 

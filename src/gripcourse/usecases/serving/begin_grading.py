@@ -7,12 +7,12 @@ from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Final
 
-from gripcourse.access.desk.model import HandIn
 from gripcourse.errors import Problem, UsageError
 from gripcourse.policy.time_rules import zone_of
 from gripcourse.text.words import message
 from gripcourse.usecases.serving.desk import DeskContext
-from gripcourse.usecases.serving.hand_in import collect_hand_ins
+from gripcourse.usecases.serving.hand_in import Collected, collect_hand_ins
+from gripcourse.usecases.serving.taken import hand_ins_by_person
 
 # Hidden: no backup carries what was only collected.
 _WORK: Final = ".grading"
@@ -55,16 +55,18 @@ def begin_grading(
         )
 
 
-def _handed_in_again(context: DeskContext, collected: Mapping[Path, HandIn]) -> Iterator[str]:
+def _handed_in_again(context: DeskContext, collected: Mapping[Path, Collected]) -> Iterator[str]:
     """Say when those works came of which the student had handed in the same bytes before.
 
     The gradebook knows them by their bytes, from when they were graded first: what was handed in
     between would count as the last one.
     """
-    first: dict[tuple[str, str], int] = {}
-    for one in context.desk.hand_ins():
-        first.setdefault((one.student, one.digest), one.number)
+    first: dict[tuple[str, str], tuple[str, int]] = {}
+    for student, files in hand_ins_by_person(context.desk, context.joins()).items():
+        for one in files:
+            first.setdefault((student, one.digest), (one.student, one.number))
     zone = zone_of(context.policy.late)
-    for path, one in collected.items():
-        if one.number > first[one.student, one.digest]:
-            yield f"--handed-in={path}={one.at.astimezone(zone):%Y-%m-%d %H:%M:%S}"
+    for path, work in collected.items():
+        one = work.hand_in
+        if (one.student, one.number) != first[work.student, one.digest]:
+            yield f"--handed-in={path}={one.at.astimezone(zone):%Y-%m-%d %H:%M:%S%z}"

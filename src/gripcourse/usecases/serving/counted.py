@@ -12,6 +12,7 @@ from gripcourse.gradebook.works import works_of
 from gripcourse.policy.time_rules import AttemptRule, Counts
 from gripcourse.text.words import Message, message
 from gripcourse.usecases.serving.desk import DeskContext
+from gripcourse.usecases.serving.taken import order_of_works
 
 __all__ = ["CountedWork", "counted_works"]
 
@@ -52,11 +53,13 @@ def counted_works(
         RegisterError: the register cannot be used.
         GradebookError: the gradebook cannot be used.
     """
-    book, register = Gradebook(context.desk.engine), context.register()
+    joins = context.joins()
+    book, register = Gradebook(context.desk.engine, joins), context.register()
     names = None if students is None else set(students)
     marked, waived = latest_marks_of_all(book.entries(names)), waivers(book)
     found = {}
-    for student, works in works_of(book.standing(names)).items():
+    taken = order_of_works(context.desk, joins)
+    for student, works in works_of(book.standing(names), taken).items():
         if student not in register:
             continue
         deadline = context.deadlines.of(register[student])

@@ -13,6 +13,7 @@ from gripcourse.course.read import course_address, course_id
 from gripcourse.issuing.register import Register
 from gripcourse.issuing.signature import key_path, read_key
 from gripcourse.issuing.store import VerifiedRegister
+from gripcourse.issuing.withdrawal import Join
 from gripcourse.machine.database.home import home_of
 from gripcourse.policy.load import attempt_rule_of, load_policy
 from gripcourse.policy.model import Policy
@@ -50,6 +51,9 @@ class DeskBooks(Protocol):
     def find(self, student: str) -> Issued | None:
         """Return what was issued to whom an id names, also where it was joined with another's."""
 
+    def joins(self) -> tuple[Join, ...]:
+        """Return which ids stand for one person now, in the order in which they were joined."""
+
     def attempt_rule(self) -> AttemptRule | None:
         """Return which of several works of a student counts; None where no rule says it."""
 
@@ -80,6 +84,10 @@ class KeptBooks:
     def find(self, student: str) -> Issued | None:
         """Return what was issued to whom an id names, also where it was joined with another's."""
         return self._read().find(student)
+
+    def joins(self) -> tuple[Join, ...]:
+        """Return which ids stand for one person now, in the order in which they were joined."""
+        return self._read().joins
 
     def _read(self) -> Register:
         return VerifiedRegister(self.root, self.course_id, self.desk.engine).read()
@@ -131,6 +139,10 @@ class DeskContext:
     def find(self, student: str) -> Issued | None:
         """Return what was issued to whom an id names, also where it was joined with another's."""
         return self.issued.read().find(student)
+
+    def joins(self) -> tuple[Join, ...]:
+        """Return which ids stand for one person now, in the order in which they were joined."""
+        return self.issued.read().joins
 
     def attempt_rule(self) -> AttemptRule | None:
         """Return which of several works of a student counts; None where no rule says it."""

@@ -68,7 +68,7 @@ def group_figures(context: DeskContext) -> GroupFigures:
         RegisterError: the register cannot be used.
         GradebookError: the gradebook cannot be used.
     """
-    register, book = context.register(), Gradebook(context.desk.engine)
+    register, book = context.register(), Gradebook(context.desk.engine, context.joins())
     marked = latest_marks_of_all(book.entries())
     counted = counted_works(context)
     scores = [one.earned / one.sums.max_score for one in counted.values() if one.sums.max_score > 0]

@@ -17,6 +17,7 @@ from gripcourse.machine.spreadsheet.by_content import is_workbook
 from gripcourse.text.shown import shown
 from gripcourse.text.words import Message, message
 from gripcourse.usecases.serving.desk import DeskBooks, DeskContext
+from gripcourse.usecases.serving.taken import hand_ins_by_person
 from gripcourse.variants.model import Issued
 
 _MOST: Final = 200_000_000
@@ -123,21 +124,26 @@ def kept_path(context: DeskBooks, digest: str) -> Path:
     return context.private / "handed_in" / digest
 
 
-def latest(context: DeskBooks, hand_ins: Iterable[HandIn]) -> dict[str, HandIn]:
+def latest(context: DeskBooks, hand_ins: Mapping[str, Iterable[HandIn]]) -> dict[str, HandIn]:
     """Return the last workbook of each student; drawings are looked at by persons.
 
     A photograph, a table of text or a drawing of another program takes no workbook's place: of
     such a file only somebody's last is returned who has handed in nothing else.
+
+    Args:
+        context: of the course.
+        hand_ins: by the id of the person, in the order in which they were taken.
     """
     found: dict[str, HandIn] = {}
-    for one in (one for one in hand_ins if not one.is_drawing):
-        before = found.get(one.student)
-        if (
-            before is None
-            or _may_hold_answers(context, one)
-            or not _may_hold_answers(context, before)
-        ):
-            found[one.student] = one
+    for student, files in hand_ins.items():
+        for one in (one for one in files if not one.is_drawing):
+            before = found.get(student)
+            if (
+                before is None
+                or _may_hold_answers(context, one)
+                or not _may_hold_answers(context, before)
+            ):
+                found[student] = one
     return found
 
 
@@ -150,39 +156,53 @@ def _may_hold_answers(context: DeskBooks, one: HandIn) -> bool:
         return True
 
 
-def may_count(context: DeskBooks, hand_ins: Iterable[HandIn]) -> dict[str, tuple[HandIn, ...]]:
+def may_count(
+    context: DeskBooks, hand_ins: Mapping[str, Iterable[HandIn]]
+) -> dict[str, tuple[HandIn, ...]]:
     """Return the workbooks of each student that are graded, in the order of handing in.
 
     The last one; where the policy counts the first, the best or only so many, all that may hold
     answers, each once: the gradebook tells which of them counts, and must know them.
 
+    Args:
+        context: of the course.
+        hand_ins: by the id of the person, in the order in which they were taken.
+
     Raises:
         CourseError: the policy cannot be read.
         OSError: a file cannot be read.
     """
-    kept, rule = tuple(hand_ins), context.attempt_rule()
-    last = latest(context, kept)
+    last, rule = latest(context, hand_ins), context.attempt_rule()
     found: dict[str, tuple[HandIn, ...]] = {student: (one,) for student, one in last.items()}
     if rule is None or not rule.asks_for_all:
         return found
     works: dict[str, dict[str, HandIn]] = {}
-    for one in kept:
-        if not one.is_drawing and _may_hold_answers(context, one):
-            works.setdefault(one.student, {}).setdefault(one.digest, one)
+    for student, files in hand_ins.items():
+        for one in files:
+            if not one.is_drawing and _may_hold_answers(context, one):
+                works.setdefault(student, {}).setdefault(one.digest, one)
     return found | {student: tuple(of.values()) for student, of in works.items()}
 
 
-def name_in_folder(one: HandIn) -> str:
+def name_in_folder(one: HandIn, student: str) -> str:
     """Return what the last workbook of a student is called for grading: like its student."""
     suffix = PurePath(one.name).suffix.lower()
-    return f"{one.student}{suffix if suffix.isascii() else ''}"
+    return f"{student}{suffix if suffix.isascii() else ''}"
 
 
-def collect_hand_ins(context: DeskBooks, out: Path) -> Mapping[Path, HandIn]:
+@dataclass(frozen=True, slots=True)
+class Collected:
+    """A file that was handed in, and the id that stands for who did."""
+
+    hand_in: HandIn
+    student: str
+
+
+def collect_hand_ins(context: DeskBooks, out: Path) -> Mapping[Path, Collected]:
     """Write the workbooks that may count into a folder, for grading.
 
-    One of a student is called like the student; several stand in a folder that is, numbered like
-    their receipts.
+    One of a student is called like the student; several stand in a folder that is, numbered in the
+    order in which they were taken, as their receipts are.
 
     Returns:
         What was handed in, by the file that was written.
@@ -192,18 +212,22 @@ def collect_hand_ins(context: DeskBooks, out: Path) -> Mapping[Path, HandIn]:
         OSError: a file cannot be read or written.
     """
     make_private_folder(out)
-    written: dict[Path, HandIn] = {}
-    for student, works in may_count(context, context.desk.hand_ins()).items():
-        for one in works:
-            name = name_in_folder(one)
+    written: dict[Path, Collected] = {}
+    hand_ins = hand_ins_by_person(context.desk, context.joins())
+    for student, works in may_count(context, hand_ins).items():
+        joined = any(one.student != student for one in works)
+        for place, one in enumerate(works, start=1):
+            name = name_in_folder(one, student)
             path = out / name
             if len(works) > 1:
                 make_private_folder(out / student)
-                path = out / student / f"receipt-{one.number:03}{PurePath(name).suffix}"
+                # Receipts under two ids have the same numbers.
+                receipt = f"{place:03}-{one.student}-{one.number}" if joined else f"{one.number:03}"
+                path = out / student / f"receipt-{receipt}{PurePath(name).suffix}"
             write_bytes(path, kept_path(context, one.digest).read_bytes(), private=True)
             # Lateness is counted from when it was handed in, not from when it was collected.
             os.utime(path, (one.at.timestamp(),) * 2)
-            written[path] = one
+            written[path] = Collected(one, student)
     return written
 
 

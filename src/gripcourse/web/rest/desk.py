@@ -9,6 +9,7 @@ from gripcourse.gradebook.store import Gradebook
 from gripcourse.usecases.publishing.publish import current, published_grades, published_to
 from gripcourse.usecases.serving.hand_in import kept_path, receipt_of
 from gripcourse.usecases.serving.sign_in import SESSION_HOURS, sign_in
+from gripcourse.usecases.serving.taken import hand_ins_of, requests_of
 from gripcourse.web import acts
 from gripcourse.web.group import GroupMember, Wish, groups_of, row_of, rows_of
 from gripcourse.web.rates import REFUSED_SIGN_INS
@@ -72,12 +73,12 @@ def student(call: DeskCall) -> StudentRecordResult | WebRefusal:
     if row is None:
         return NOT_FOUND
     context, id_ = call.site.context, row.issued.student.id
-    book, published = Gradebook(context.desk.engine), published_to(context, id_)
+    book, published = Gradebook(context.desk.engine, context.joins()), published_to(context, id_)
     return StudentRecordResult(
         member=_member(row),
         hand_ins=tuple(
             receipt_result(receipt_of(context, row.issued, one))
-            for one in context.desk.hand_ins(id_)
+            for one in hand_ins_of(context.desk, id_, context.joins())
         ),
         checks=tuple(
             LoggedCheckResult(one.number, one.digest, one.told, one.at)
@@ -98,7 +99,9 @@ def student(call: DeskCall) -> StudentRecordResult | WebRefusal:
             MarkResult(one.quantity, one.credit, one.marker, one.comment, one.marked_at)
             for one in (entry.mark for entry in book.entries({id_}))
         ),
-        requests=tuple(request_result(one) for one in context.desk.requests(id_)),
+        requests=tuple(
+            request_result(one) for one in requests_of(context.desk, id_, context.joins())
+        ),
         report=published is not None and published.pdf is not None,
     )
 

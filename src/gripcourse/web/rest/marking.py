@@ -10,6 +10,7 @@ from gripcourse.machine.database.home import home_of
 from gripcourse.text.words import Words
 from gripcourse.usecases.marks.mark import item_of, what_waits
 from gripcourse.usecases.serving.hand_in import receipt_of
+from gripcourse.usecases.serving.taken import hand_ins_of, requests_of
 from gripcourse.web import acts
 from gripcourse.web.desk_acts import keep_mark, marks_seen
 from gripcourse.web.drawings import NOT_SHOWN, painted
@@ -32,14 +33,16 @@ from gripcourse.web.rest.wishes import MarkWish
 def marking(call: DeskCall) -> MarkingResult:
     """Everything that waits for a person."""
     context = call.site.context
-    found = (to_mark(context, one) for one in what_waits(home_of(context.course.root)))
+    found = (
+        to_mark(context, one) for one in what_waits(home_of(context.course.root), context.joins())
+    )
     return MarkingResult(tuple(_waiting(one, call.words) for one in found if one is not None))
 
 
 def item(call: DeskCall) -> ItemResult | WebRefusal:
     """An item of a student's last work: its rubric, the student's files and what was asked."""
     context, (student, quantity) = call.site.context, _place(call)
-    now = item_of(home_of(context.course.root), student, quantity)
+    now = item_of(home_of(context.course.root), student, quantity, context.joins())
     wanted = None if now is None else to_mark(context, now.item)
     if wanted is None:
         return NOT_FOUND
@@ -49,10 +52,12 @@ def item(call: DeskCall) -> ItemResult | WebRefusal:
         rubric=_lines(wanted, call.words),
         hand_ins=tuple(
             receipt_result(receipt_of(context, wanted.issued, one))
-            for one in context.desk.hand_ins(student)
+            for one in hand_ins_of(context.desk, student, context.joins())
         ),
         requests=tuple(
-            request_result(one) for one in context.desk.requests(student) if one.item == quantity
+            request_result(one)
+            for one in requests_of(context.desk, student, context.joins())
+            if one.item == quantity
         ),
     )
 

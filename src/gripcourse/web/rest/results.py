@@ -13,7 +13,9 @@ class ReceiptResult:
     """A receipt: the file is kept.
 
     Attributes:
-        number: counts the student's files from 1.
+        student: the id under which it was handed in; where that was joined with the student's,
+            `of` with this id asks for it.
+        number: counts the files of that id from 1.
         name: as the student calls it.
         size: in bytes.
         digest: SHA-256 of its bytes, hexadecimal.
@@ -25,6 +27,7 @@ class ReceiptResult:
 
     SCHEMA: ClassVar[str] = "gripcourse/receipt/1"
 
+    student: str
     number: int
     name: str
     size: int

@@ -5,7 +5,7 @@ from http import HTTPStatus
 from pathlib import Path
 from typing import Final
 
-from gripcourse.access.desk.model import RegradeRequest
+from gripcourse.access.desk.model import HandIn, RegradeRequest
 from gripcourse.api.results import CheckResult
 from gripcourse.course.quantity import Quantity
 from gripcourse.machine.content import NamedBytes
@@ -17,6 +17,7 @@ from gripcourse.usecases.issuing.handout import sheet_path, workbook_path
 from gripcourse.usecases.publishing.publish import published_to
 from gripcourse.usecases.serving.desk import DeskContext
 from gripcourse.usecases.serving.hand_in import Receipt, kept_path, receipt_of
+from gripcourse.usecases.serving.taken import hand_ins_of
 from gripcourse.variants.model import Issued
 from gripcourse.web import acts
 from gripcourse.web.refusals import NOT_FOUND, NOT_PUBLISHED, Code, WebRefusal
@@ -56,7 +57,7 @@ def status(call: StudentCall) -> StatusResult:
         checks_most=rule.times,
         hand_ins=tuple(
             receipt_result(receipt_of(context, issued, one))
-            for one in context.desk.hand_ins(call.student)
+            for one in hand_ins_of(context.desk, call.student, context.joins())
         ),
         published=published_to(context, call.student) is not None,
     )
@@ -75,7 +76,7 @@ def hand_in(call: StudentCall) -> ReceiptResult | WebRefusal:
 
 def receipt(call: StudentCall) -> ReceiptResult | WebRefusal:
     """The receipt of a file, the same whenever it is asked for."""
-    kept = acts.kept_file(call.site, call.student, int(call.request.path_params["number"]))
+    kept = _kept(call)
     if kept is None:
         return NOT_FOUND
     return receipt_result(receipt_of(call.site.context, call.issued, kept))
@@ -83,7 +84,7 @@ def receipt(call: StudentCall) -> ReceiptResult | WebRefusal:
 
 def own_file(call: StudentCall) -> SentFile | WebRefusal:
     """A file as it was handed in."""
-    kept = acts.kept_file(call.site, call.student, int(call.request.path_params["number"]))
+    kept = _kept(call)
     if kept is None:
         return NOT_FOUND
     return SentFile(kept_path(call.site.context, kept.digest), kept.name)
@@ -119,10 +120,17 @@ def ask_again(call: StudentCall) -> RequestResult | WebRefusal:
     return made if isinstance(made, WebRefusal) else request_result(made)
 
 
+def _kept(call: StudentCall) -> HandIn | None:
+    request = call.request
+    number, of = int(request.path_params["number"]), request.query_params.get("of", "")
+    return acts.kept_file(call.site, call.student, number, of)
+
+
 def receipt_result(made: Receipt) -> ReceiptResult:
     """Return a receipt as programs get it."""
     one = made.hand_in
     return ReceiptResult(
+        student=one.student,
         number=one.number,
         name=one.name,
         size=one.size,

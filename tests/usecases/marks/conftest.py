@@ -1,0 +1,3 @@
+"""Marks in databases of either kind."""
+
+from support.databases import either_place
