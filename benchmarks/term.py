@@ -122,6 +122,9 @@ def locally(base: Path, more: Sequence[str]) -> None:
         for count in (1, WORKERS)
     )
     print(f"  {'ratio':<24} {one.seconds / two.seconds:7.2f}", flush=True)
+    # Beginning and end of a batch: what they take does not grow less with more processors.
+    idle = WORKERS * two.seconds - two.busy
+    print(f"  {'one processor waited':<24} {idle:7.1f} s of {two.seconds:.1f} s", flush=True)
     print(f"  {'of programs apart':<24} {machine_ratio(base):7.2f}", flush=True)
     again = told("again, nothing changed", base, f"graded{WORKERS}", WORKERS, more, afresh=False)
     print(f"  {'share of the first time':<24} {again.seconds / two.seconds:7.3f}", flush=True)
