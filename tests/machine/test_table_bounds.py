@@ -9,8 +9,10 @@ from gripcourse.machine.table_bounds import (
     LARGEST_TABLE,
     MOST_CELLS,
     MOST_COLUMNS,
+    MOST_OF_WORKBOOK,
     MOST_ROWS,
     ROWS_OF_A_SPREADSHEET,
+    RoomForCells,
     TooLargeTableError,
     around,
     content_of_table,
@@ -42,6 +44,36 @@ def test_a_table_up_to_its_bounds_is_passed_on() -> None:
 def test_a_table_beyond_one_of_them_is_not(rows: list[tuple[str, ...]]) -> None:
     with pytest.raises(TooLargeTableError):
         passed(rows)
+
+
+def test_a_workbook_has_room_for_fewer_cells_than_text() -> None:
+    room, row = RoomForCells(), list[str]()
+    for _ in range(MOST_OF_WORKBOOK // MOST_COLUMNS):
+        row = []
+        room.put("x", MOST_COLUMNS, row)
+        assert len(row) == MOST_COLUMNS
+    room.put("y", 1, row)
+    assert row[0] == "y"
+    with pytest.raises(TooLargeTableError):
+        room.put("x", 1, [])
+
+
+def test_a_workbook_has_room_for_so_many_rows_and_columns() -> None:
+    room = RoomForCells()
+    with pytest.raises(TooLargeTableError):
+        room.put("x", MOST_COLUMNS + 1, [])
+    for _ in range(MOST_ROWS):
+        room.take_row()
+    with pytest.raises(TooLargeTableError):
+        room.take_row()
+
+
+def test_letters_of_a_workbook_are_as_many_as_of_a_file_of_text() -> None:
+    room, text = RoomForCells(), "x" * (LARGEST_TABLE // 2)
+    room.put(text, 1, [])
+    room.put(text, 1, [])
+    with pytest.raises(TooLargeTableError):
+        room.put("x", 1, [])
 
 
 def test_as_many_blank_rows_as_a_spreadsheet_has_are_no_rows() -> None:

@@ -15,7 +15,8 @@ from openpyxl import Workbook
 
 from gripcourse.machine.spreadsheet import preflight
 from gripcourse.machine.spreadsheet.refusals import REASONS, WhyRefused
-from gripcourse.machine.spreadsheet.xml_names import LONG, MOST_NAMES
+from gripcourse.machine.spreadsheet.xml_names import LONG
+from gripcourse.machine.spreadsheet.xml_scan import MOST_NAMES
 from gripcourse.submission.model import Rejected
 from gripcourse.submission.raw import RawWorkbook
 from gripcourse.submission.read import read_workbook

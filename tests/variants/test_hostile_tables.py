@@ -39,6 +39,39 @@ def patched(table: bytes, part: str, change: Callable[[bytes], bytes]) -> bytes:
     return stream.getvalue()
 
 
+def small_table(data: bytes, texts: bytes = b"") -> bytes:
+    """Return a workbook of one sheet without looks."""
+    space = b'xmlns="http://schemas.openxmlformats.org/spreadsheetml/2006/main"'
+    office = "http://schemas.openxmlformats.org/officeDocument/2006/relationships"
+    relations = "<Relationships>{}</Relationships>".format
+    relation = '<Relationship Id="{0}" Type="{1}/{0}" Target="{2}"/>'.format
+    stream = io.BytesIO()
+    with zipfile.ZipFile(stream, "w", zipfile.ZIP_DEFLATED) as target:
+        target.writestr(
+            "_rels/.rels", relations(relation("officeDocument", office, "xl/workbook.xml"))
+        )
+        target.writestr(
+            "xl/_rels/workbook.xml.rels",
+            relations(
+                relation("worksheet", office, "worksheets/sheet1.xml")
+                + relation("sharedStrings", office, "sharedStrings.xml")
+            ),
+        )
+        target.writestr(
+            "xl/workbook.xml",
+            b"<workbook "
+            + space
+            + b'><sheets><sheet name="S" r:id="worksheet" xmlns:r="'
+            + office.encode()
+            + b'"/></sheets></workbook>',
+        )
+        target.writestr(
+            SHEET, b"<worksheet " + space + b"><sheetData>" + data + b"</sheetData></worksheet>"
+        )
+        target.writestr("xl/sharedStrings.xml", b"<sst " + space + b">" + texts + b"</sst>")
+    return stream.getvalue()
+
+
 def inside(addition: bytes) -> Callable[[bytes], bytes]:
     return lambda part: part.replace(b"</sheetData>", addition + b"</sheetData>")
 
@@ -96,8 +129,80 @@ def test_far_cells_are_told_by_how_large_a_table_may_be(
 ) -> None:
     path = tmp_path / "t.xlsx"
     path.write_bytes(patched(table, SHEET, inside(rows)))
-    with pytest.raises(TableError, match="at most 200000 rows, 2000 columns and 6000000 cells"):
+    with pytest.raises(TableError, match="at most 200000 rows, 2000 columns and 250000 cells"):
         read_sheet(path)
+
+
+MANY = b"".join(b'<row><c t="s"><v>0</v></c></row>' for _ in range(200))
+LONG = b"<si><t>" + b"a" * 100_000 + b"</t></si>"
+
+
+def test_a_long_text_that_many_cells_share_is_as_much_as_they_show(tmp_path: Path) -> None:
+    """A text of a megabyte in each of many cells would take more memory than there is."""
+    path = tmp_path / "t.xlsx"
+    path.write_bytes(small_table(MANY, LONG))
+    with pytest.raises(TableError, match="save it as “CSV UTF-8”, of which 1250000 cells are read"):
+        read_sheet(path)
+
+
+@pytest.mark.parametrize(
+    "data",
+    [
+        b"<row><c><v>6<x/>0</v></c></row>",
+        b"<row><c><v>6</v><v>7</v></c></row>",
+        b'<row><c t="inlineStr"><is><t>An<x/>na</t></is></c></row>',
+        b"<row><c><v>6</v></c><row><c><v>7</v></c></row></row>",
+        b"<x><row><c><v>6</v></c></row></x>",
+        (
+            b'<AlternateContent xmlns="urn:other"><Choice><row><c><v>6</v></c></row></Choice>'
+            b"</AlternateContent>"
+        ),
+    ],
+    ids=[
+        *("an element in a number", "two values", "an element in a text"),
+        *("a row in a row", "a row elsewhere", "rows for some programs"),
+    ],
+)
+def test_what_programs_read_in_several_ways_is_refused(tmp_path: Path, data: bytes) -> None:
+    path = tmp_path / "t.xlsx"
+    path.write_bytes(small_table(b"<row><c><v>1</v></c></row>" + data))
+    with pytest.raises(TableError, match="damaged"):
+        read_sheet(path)
+
+
+def test_cells_and_texts_of_another_namespace_are_none(tmp_path: Path) -> None:
+    data = b"<row><c><v>1</v></c><y:c xmlns:y='urn:y'><y:v>2</y:v></y:c></row>"
+    path = tmp_path / "t.xlsx"
+    path.write_bytes(small_table(data))
+    assert read_sheet(path).header == ("1",)
+
+
+def test_a_merged_range_shows_in_rows_that_only_have_a_look(tmp_path: Path) -> None:
+    rows = b'<row><c><v>1</v></c></row><row><c s="0"/><c><v>2</v></c></row><row><c s="0"/></row>'
+    merged = b'</sheetData><mergeCells><mergeCell ref="A1:A4"/></mergeCells><sheetData>'
+    path = tmp_path / "t.xlsx"
+    path.write_bytes(small_table(rows + merged))
+    assert [row.cells for row in read_sheet(path).rows] == [("1", "2"), ("1", "")]
+
+
+def test_two_thousand_attributes_are_read_and_two_hundred_thousand_are_not(tmp_path: Path) -> None:
+    path = tmp_path / "t.xlsx"
+    for count, is_read in ((2_000, True), (200_000, False)):
+        attributes = b" ".join(b'a%d=""' % one for one in range(count))
+        path.write_bytes(small_table(b"<row><c " + attributes + b"><v>1</v></c></row>"))
+        if is_read:
+            assert read_sheet(path).header == ("1",)
+        else:
+            with pytest.raises(TableError):
+                read_sheet(path)
+
+
+def test_the_sign_that_gives_most_headings_separates_whatever_a_title_holds(tmp_path: Path) -> None:
+    path = tmp_path / "t.csv"
+    path.write_text("Group 1; mechanics, evening\nstudent,name\ns01,Ann\n", encoding="utf-8")
+    sheet = read_sheet(path, {"student", "name"}.__contains__)
+    assert sheet.header == ("student", "name")
+    assert [row.cells for row in sheet.rows] == [("s01", "Ann")]
 
 
 def test_letters_of_an_office_behind_a_long_beginning_without_any_are_read(tmp_path: Path) -> None:

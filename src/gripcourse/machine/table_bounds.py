@@ -10,10 +10,12 @@ from typing import Final, TypeVar
 from gripcourse.machine.content import Readable, content_of, is_larger
 from gripcourse.text.words import Message, message
 
-MOST_ROWS: Final = 200_000  # twice the largest table of variants that anybody solves
+MOST_ROWS: Final = 200_000
 MOST_COLUMNS: Final = 2_000
-MOST_CELLS: Final = 6_000_000  # of all rows, each as far as its last one
-LARGEST_TABLE: Final = 32_000_000  # bytes of a file
+# Of all rows, each as far as its last one: a hundred thousand people with a dozen columns each.
+MOST_CELLS: Final = 1_250_000
+MOST_OF_WORKBOOK: Final = 250_000  # cells of its visible sheets; each takes five times as long
+LARGEST_TABLE: Final = 16_000_000  # bytes of a file
 ROWS_OF_A_SPREADSHEET: Final = 1 << 20
 _ENOUGH: Final = 1 << 18  # bytes from which an encoding is guessed
 
@@ -22,6 +24,51 @@ Row = TypeVar("Row", bound=Sequence[object])
 
 class TooLargeTableError(ValueError):
     """A table that is larger than any that is read."""
+
+
+class RoomForCells:
+    """How much more is read of a workbook; it changes, because a parser calls back.
+
+    Blank cells between others count, those behind the last one of a row do not. A text that many
+    cells share counts in each of them: all of them have as many letters as a file of text may have.
+    """
+
+    def __init__(self) -> None:
+        self._rows = MOST_ROWS
+        self._cells = MOST_OF_WORKBOOK
+        self._letters = LARGEST_TABLE
+
+    def take_row(self) -> None:
+        """Take a row.
+
+        Raises:
+            TooLargeTableError: there is none left.
+        """
+        self._rows -= 1
+        if self._rows < 0:
+            raise TooLargeTableError
+
+    def put(self, text: str, column: int, row: list[str]) -> None:
+        """Put a text into a row that is as long as its last text.
+
+        Args:
+            text: not empty.
+            column: from 1.
+            row: gets it.
+
+        Raises:
+            TooLargeTableError: there is no room left, or the column lies too far to the right.
+        """
+        self._letters -= len(text)
+        missing = column - len(row)
+        if missing > 0:
+            self._cells -= missing
+            if self._cells < 0 or column > MOST_COLUMNS:
+                raise TooLargeTableError
+            row.extend([""] * missing)
+        if self._letters < 0:
+            raise TooLargeTableError
+        row[column - 1] = text
 
 
 def content_of_table(source: Readable) -> bytes:
@@ -72,7 +119,7 @@ def around(content: bytes, place: int) -> bytes:
 
 
 def said_of_too_large() -> tuple[Message, Message]:
-    """Return what is wrong with a table that is too large, and what to do."""
+    """Return what is wrong with a table of text that is too large, and what to do."""
     return (
         message(
             "The table is too large: at most {rows} rows, {columns} columns and {cells} cells are"
@@ -83,7 +130,27 @@ def said_of_too_large() -> tuple[Message, Message]:
             size=LARGEST_TABLE // 1_000_000,
         ),
         message(
-            "Delete what lies far to the right or below of what you need, or copy the table into a"
-            " new file."
+            "Delete what lies far to the right or below of what you need, or split the table into"
+            " several files."
+        ),
+    )
+
+
+def said_of_too_large_workbook() -> tuple[Message, Message]:
+    """Return what is wrong with a spreadsheet that is too large, and what to do."""
+    return (
+        message(
+            "The table is too large: of a spreadsheet at most {rows} rows, {columns} columns and"
+            " {cells} cells are read, in a file of {size} MB.",
+            rows=MOST_ROWS,
+            columns=MOST_COLUMNS,
+            cells=MOST_OF_WORKBOOK,
+            size=LARGEST_TABLE // 1_000_000,
+        ),
+        message(
+            "Delete what lies far to the right or below of what you need. If it really is so large,"
+            " save it as “CSV UTF-8”, of which {cells} cells are read, or split it into several"
+            " files.",
+            cells=MOST_CELLS,
         ),
     )

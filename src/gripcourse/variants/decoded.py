@@ -1,6 +1,8 @@
 """The text of a file that an office saved, in whatever encoding it did."""
 
 import codecs
+import io
+from dataclasses import dataclass
 from typing import Final
 
 from gripcourse.errors import Problem, TableError
@@ -12,36 +14,57 @@ _ENCODINGS: Final = ("cp1251", "cp866", "koi8_u")
 """In which offices of the course's languages still save text."""
 
 
-def decoded(source: Readable, content: bytes) -> tuple[str, tuple[Message, ...]]:
-    """Decode a file: as Unicode where it can be, else as what its letters make most likely."""
+@dataclass(frozen=True, slots=True)
+class TextOfFile:
+    """A file of text. All of it is never in memory at once: its letters may take four bytes each.
+
+    Attributes:
+        content: of the file.
+        encoding: in which all of it can be read.
+        notes: how it was read where it could have been read in another way.
+    """
+
+    content: bytes
+    encoding: str
+    notes: tuple[Message, ...] = ()
+
+    def opened(self) -> io.TextIOWrapper:
+        """Return the text with its own line ends."""
+        return io.TextIOWrapper(io.BytesIO(self.content), self.encoding, newline="")
+
+
+def decoded(source: Readable, content: bytes) -> TextOfFile:
+    """Tell how a file is read: as Unicode where it can be, else as its letters make most likely."""
     if content.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)):
-        return _as_unicode(source, content, "utf-16"), ()
+        _check(source, content, "utf-16")
+        return TextOfFile(content, "utf-16")
     try:
-        return content.decode("utf-8-sig"), ()
+        content.decode("utf-8-sig")
     except UnicodeDecodeError as fault:
-        guess = _guessed(content, fault.start)
-        if guess is None:
+        encoding = _guessed(content, fault.start)
+        if encoding is None:
             line = fault.object[: fault.start].count(b"\n") + 1
             raise _not_text(source, line) from fault
-    text, encoding = guess
+    else:
+        return TextOfFile(content, "utf-8-sig")
     note = message(
         "{file} is no Unicode text and was read as {encoding}: look at the names. To be sure, save"
         " it as “CSV UTF-8”.",
         file=shown_name(source),
         encoding=encoding,
     )
-    return text, (note,)
+    return TextOfFile(content, encoding, (note,))
 
 
-def _as_unicode(source: Readable, content: bytes, encoding: str) -> str:
+def _check(source: Readable, content: bytes, encoding: str) -> None:
     try:
-        return content.decode(encoding)
+        content.decode(encoding)
     except UnicodeDecodeError as fault:
         raise _not_text(source, 1) from fault
 
 
-def _guessed(content: bytes, place: int) -> tuple[str, str] | None:
-    """Return a text and the encoding that it most likely has; None for what is no text.
+def _guessed(content: bytes, place: int) -> str | None:
+    """Return the encoding that a text most likely has; None for what is no text.
 
     Args:
         content: of the file.
@@ -53,10 +76,13 @@ def _guessed(content: bytes, place: int) -> tuple[str, str] | None:
         return None
     enough = around(content, place)
     best = charset_normalizer.from_bytes(enough, cp_isolation=list(_ENCODINGS)).best()
+    if best is None:
+        return None
     try:
-        return None if best is None else (content.decode(best.encoding), best.encoding)
+        content.decode(best.encoding)
     except UnicodeDecodeError:  # elsewhere there is a letter that the encoding has not
         return None
+    return best.encoding
 
 
 def _not_text(source: Readable, line: int) -> TableError:

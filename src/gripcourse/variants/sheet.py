@@ -6,13 +6,15 @@ Only where the headings are is asked from whoever knows them: an office writes a
 
 import csv
 import io
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
+from itertools import islice
 from typing import TypeAlias
 
 from gripcourse.errors import Problem, TableError
 from gripcourse.machine.content import Readable, is_there, pure_path, shown_name
 from gripcourse.machine.spreadsheet.by_content import is_workbook
+from gripcourse.machine.spreadsheet.table import TableSheet
 from gripcourse.machine.table_bounds import (
     MOST_CELLS,
     TooLargeTableError,
@@ -21,9 +23,8 @@ from gripcourse.machine.table_bounds import (
     within_bounds,
 )
 from gripcourse.text.words import Message, message
-from gripcourse.variants.decoded import decoded
+from gripcourse.variants.decoded import TextOfFile, decoded
 from gripcourse.variants.spreadsheet import (
-    SheetAsText,
     UnreadableSpreadsheetError,
     read_spreadsheet,
 )
@@ -184,11 +185,11 @@ def _spreadsheet(source: Readable, is_heading: IsHeading) -> Sheet:
     return replace(sheet, notes=(note,))
 
 
-def _rows_of(sheet: SheetAsText) -> list[SheetRow]:
+def _rows_of(sheet: TableSheet) -> list[SheetRow]:
     return [SheetRow(number, _stripped(cells)) for number, cells in sheet.rows]
 
 
-def _sheets_of(source: Readable) -> Sequence[SheetAsText]:
+def _sheets_of(source: Readable) -> Sequence[TableSheet]:
     try:
         return read_spreadsheet(source)
     except UnreadableSpreadsheetError as fault:
@@ -205,24 +206,36 @@ def _csv_sheet(source: Readable, is_heading: IsHeading) -> Sheet:
         content = content_of_table(source)
     except TooLargeTableError as fault:
         raise _failure(source, *said_of_too_large()) from fault
-    text, notes = decoded(source, content)
-    found: list[tuple[int, Sheet]] = []
+    text = decoded(source, content)
+    with text.opened() as stream:
+        beginning = stream.read(_BEGINNING)
+    # A title above may hold any sign; what separates the cells gives most headings.
+    likely = sorted(
+        _delimiters(beginning), key=lambda one: -_known_headings(beginning, one, is_heading)
+    )
     faults: list[TableError] = []
-    for delimiter in _delimiters(text):
+    for delimiter in likely:
         try:
             one = _sheet(source, _csv_rows(source, text, delimiter), is_heading)
         except TableError as fault:
             faults.append(fault)
         else:
-            one = replace(one, decimal_comma=delimiter != ",", notes=notes)
-            # A title above may hold any sign; what separates the cells gives most headings.
-            found.append((sum(map(is_heading, one.header)), one))
-    if not found:
-        raise faults[0]
-    return max(found, key=lambda pair: pair[0])[1]
+            return replace(one, decimal_comma=delimiter != ",", notes=text.notes)
+    raise faults[0]
 
 
-def _sheet(source: Readable, found: list[SheetRow], is_heading: IsHeading) -> Sheet:
+def _known_headings(beginning: str, delimiter: str, is_heading: IsHeading) -> int:
+    """Return how many headings are known of a table that is separated so."""
+    records = csv.reader(io.StringIO(beginning, newline=""), delimiter=delimiter)
+    try:
+        first = [_stripped(cells) for cells in islice(records, _LAST_HEADING)]
+    except csv.Error:
+        return 0
+    rows = [SheetRow(number, cells) for number, cells in enumerate(first, start=1) if any(cells)]
+    return sum(map(is_heading, rows[_heading_row(rows, is_heading)].cells)) if rows else 0
+
+
+def _sheet(source: Readable, found: Iterable[SheetRow], is_heading: IsHeading) -> Sheet:
     """Find the headings; cut blank rows and columns off."""
     rows = [row for row in found if any(row.cells)]
     if not rows:
@@ -244,13 +257,16 @@ def _sheet(source: Readable, found: list[SheetRow], is_heading: IsHeading) -> Sh
             ),
             message("Delete the cells that lie far to the right or below of what you need."),
         )
-    padded = [SheetRow(row.number, (row.cells + ("",) * width)[:width]) for row in rows]
+    for place, row in enumerate(rows):
+        if len(row.cells) != width:  # in its place: two of a large table are too much
+            rows[place] = SheetRow(row.number, (row.cells + ("",) * width)[:width])
+    head = rows.pop(0)
     return Sheet(
         file=shown_name(source),
-        header=padded[0].cells,
-        rows=tuple(padded[1:]),
+        header=head.cells,
+        rows=tuple(rows),
         decimal_comma=True,
-        heading_row=padded[0].number,
+        heading_row=head.number,
         titles=tuple(cell for row in above for cell in row.cells if cell),
     )
 
@@ -265,7 +281,10 @@ def _heading_row(rows: Sequence[SheetRow], is_heading: IsHeading) -> int:
 
 
 def _width(cells: tuple[str, ...]) -> int:
-    return max((position for position, cell in enumerate(cells, start=1) if cell), default=0)
+    width = len(cells)
+    while width and not cells[width - 1]:
+        width -= 1
+    return width
 
 
 def _delimiters(text: str) -> tuple[str, ...]:
@@ -281,17 +300,13 @@ def _delimiters(text: str) -> tuple[str, ...]:
     return tuple(dict.fromkeys([*first, *later])) or (",",)
 
 
-def _csv_rows(source: Readable, text: str, delimiter: str) -> list[SheetRow]:
-    """Read every record, whatever its length; a quoted line break does not end a row."""
-    if not text.strip():
-        return []
+def _csv_rows(source: Readable, text: TextOfFile, delimiter: str) -> Iterator[SheetRow]:
+    """Yield every record, whatever its length; a quoted line break does not end a row."""
     try:
-        rows = csv.reader(io.StringIO(text, newline=""), delimiter=delimiter, strict=True)
-        return [
-            SheetRow(number, cells)
-            for number, cells in enumerate(within_bounds(map(_to_the_last, rows)), start=1)
-            if any(cells)
-        ]
+        rows = csv.reader(text.opened(), delimiter=delimiter, strict=True)
+        for number, cells in enumerate(within_bounds(map(_to_the_last, rows)), start=1):
+            if cells:
+                yield SheetRow(number, cells)
     except TooLargeTableError as fault:
         raise _failure(source, *said_of_too_large()) from fault
     except csv.Error as fault:
@@ -309,7 +324,7 @@ def _to_the_last(cells: Sequence[str]) -> tuple[str, ...]:
 
 
 def _stripped(cells: Iterable[str]) -> tuple[str, ...]:
-    return tuple(cell.strip() for cell in cells)
+    return tuple(map(str.strip, cells))
 
 
 def _failure(source: Readable, what: Message, remedy: Message) -> TableError:

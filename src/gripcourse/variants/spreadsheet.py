@@ -4,8 +4,6 @@ What is no `.xlsx` is converted by LibreOffice first, as a student's work is.
 """
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
-from datetime import date, time
 from typing import Final
 
 from gripcourse.machine.content import Readable
@@ -19,7 +17,7 @@ from gripcourse.machine.spreadsheet.table import TableSheet, visible_sheets
 from gripcourse.machine.table_bounds import (
     TooLargeTableError,
     content_of_table,
-    said_of_too_large,
+    said_of_too_large_workbook,
 )
 from gripcourse.text.words import Message, message
 
@@ -57,8 +55,8 @@ _REFUSED: Final[Mapping[WhyRefused, tuple[Message, Message]]] = {
     ),
 }
 """What an instructor is told of a table: what it is, and what to do."""
-_READERS: Final = Limits(memory=2 * 1024**3, grace=2.0, processor=30.0, writes=False)
-"""Of who reads a spreadsheet: a hundred thousand rows take 5 s."""
+_READERS: Final = Limits(memory=512 * 1024**2, grace=2.0, processor=10.0, writes=False)
+"""Of who reads a spreadsheet: the largest that is read takes 2 s, and 130 MB of memory."""
 
 
 class UnreadableSpreadsheetError(Exception):
@@ -69,20 +67,7 @@ class UnreadableSpreadsheetError(Exception):
         self.what, self.remedy = what, remedy
 
 
-@dataclass(frozen=True, slots=True)
-class SheetAsText:
-    """A sheet.
-
-    Attributes:
-        title: of the sheet.
-        rows: by number, as a spreadsheet shows it, without blank ones.
-    """
-
-    title: str
-    rows: Sequence[tuple[int, tuple[str, ...]]]
-
-
-def read_spreadsheet(source: Readable) -> Sequence[SheetAsText]:
+def read_spreadsheet(source: Readable) -> Sequence[TableSheet]:
     """Read the visible sheets: stored results, and the formula where no result is stored.
 
     Raises:
@@ -92,20 +77,15 @@ def read_spreadsheet(source: Readable) -> Sequence[SheetAsText]:
     try:
         content = content_of_table(source)
     except TooLargeTableError as fault:
-        raise UnreadableSpreadsheetError(*said_of_too_large()) from fault
+        raise UnreadableSpreadsheetError(*said_of_too_large_workbook()) from fault
     sheets = _read_apart(content)
     if isinstance(sheets, WhyRefused) and sheets in _ENDINGS and not loses_texts(content):
         sheets = _read_converted(content, sheets)
     if sheets is WhyRefused.TOO_LARGE or isinstance(sheets, Lost):
-        raise UnreadableSpreadsheetError(*said_of_too_large())
+        raise UnreadableSpreadsheetError(*said_of_too_large_workbook())
     if isinstance(sheets, WhyRefused):
         raise UnreadableSpreadsheetError(*_REFUSED.get(sheets, _UNKNOWN))
-    return [
-        SheetAsText(
-            one.title, [(row.number, tuple(map(_cell_text, row.cells))) for row in one.rows]
-        )
-        for one in sheets
-    ]
+    return sheets
 
 
 def _read_apart(content: bytes) -> tuple[TableSheet, ...] | WhyRefused | Lost:
@@ -124,13 +104,3 @@ def _read_converted(
 
 def _sheets(data: bytes, _: None) -> tuple[TableSheet, ...] | WhyRefused:
     return visible_sheets(data)
-
-
-def _cell_text(cell: object) -> str:
-    if cell is None:
-        return ""
-    if isinstance(cell, float) and cell.is_integer():
-        return str(int(cell))
-    if isinstance(cell, date | time):
-        return cell.isoformat()
-    return str(cell)

@@ -100,12 +100,14 @@ def read_raw_table(source: Readable, known: RateHeader) -> RawTable:
     """
     file = shown_name(source)
     try:
-        return _within_bounds(content_of_table(source), file, known)
+        # Neither the bytes nor the whole text are kept beside the cells: all of them are too much.
+        return _table(file, *_records(content_of_table(source), file, known), known)
     except TooLargeTableError as fault:
         raise UsageError([Problem(file, "", *said_of_too_large())]) from fault
 
 
-def _within_bounds(data: bytes, file: str, known: RateHeader) -> RawTable:
+def _records(data: bytes, file: str, known: RateHeader) -> tuple[str, tuple[str, ...]]:
+    """Return the encoding of a table and its rows as they stand."""
     encoding = _encoding(data, known)
     try:
         if encoding is None:
@@ -114,7 +116,10 @@ def _within_bounds(data: bytes, file: str, known: RateHeader) -> RawTable:
     except UnicodeError as fault:
         raise _no_text(file) from fault
     found = (one[0] for one in _RECORD.finditer(text) if one[0])
-    records = tuple(record for (record,) in within_bounds((one,) for one in found))
+    return encoding, tuple(record for (record,) in within_bounds((one,) for one in found))
+
+
+def _table(file: str, encoding: str, records: tuple[str, ...], known: RateHeader) -> RawTable:
     if not records:
         what, remedy = message("The table is empty."), message("Export it again.")
         raise UsageError([Problem(file, "", what, remedy)])

@@ -59,6 +59,10 @@ class NumberFormats:
         """Tell whether a cell has a style that nobody can know."""
         return self._found(cell) is None and (cell.style != 0 or self.of_styles != ())
 
+    def is_plain(self, style: int) -> bool:
+        """Tell whether a style shows numbers as they are stored."""
+        return self.of_styles[style] in {GENERAL, ""}
+
     def _found(self, cell: StoredCell) -> str | None:
         return self.of_styles[cell.style] if cell.style < len(self.of_styles) else None
 

@@ -7,17 +7,16 @@ styles and their types of content: such a part is gone through once for all of t
 
 import posixpath
 import zipfile
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import lru_cache
 from typing import Any, Final, TypeVar
 from urllib.parse import unquote
-from xml.etree.ElementTree import Element, ParseError, XMLPullParser
+from xml.etree.ElementTree import Element, ParseError
 from xml.parsers import expat
 
-from gripcourse.machine.spreadsheet.xml_names import check_names
+from gripcourse.machine.spreadsheet.xml_names import LONG, check_long_tags, check_names
 from gripcourse.machine.spreadsheet.xml_scan import (
-    MOST_ASIDES,
     Bounds,
     PartCounts,
     XmlScan,
@@ -31,8 +30,6 @@ Made = TypeVar("Made")
 _OFFICE_DOCUMENT: Final = "officeDocument"
 _USUAL_WORKBOOK: Final = "xl/workbook.xml"
 _CHUNK: Final = 1 << 16
-# Bytes of XML parsed at a time: the parser looks through a long attribute again with each portion.
-_PORTION: Final = 1 << 20
 _SHORT: Final = 1 << 15  # bytes of a part that may be the same in many works
 _LONGEST_TARGET: Final = 0xFFFF
 _KEPT: Final = 64  # such parts, two megabytes at most
@@ -117,30 +114,23 @@ class Package:
         self._scan.add(seen)
         return made
 
-    def elements(self, part: str) -> Iterator[Element]:
-        """Yield the elements of a long part as they end; who has read one may clear it.
+    def long_part(self, part: str, read: Callable[[bytes, XmlScan], Made]) -> Made:
+        """Return what is read of a part of any length, of which no tree is made. Errors: as above.
 
-        Raises:
-            KeyError, Exception: as above.
+        Args:
+            part: its name.
+            read: goes through it by `long_scan.go_through`.
         """
-        whole = self._content(part)
-        self._scan.check(whole, most_asides=MOST_ASIDES)
-        content = memoryview(whole)
-        parser: XMLPullParser[Element] = XMLPullParser(("end",))
-        for start in range(0, len(content), _PORTION):
-            parser.feed(content[start : start + _PORTION])
-            yield from _ended(parser)
-        parser.close()
-        yield from _ended(parser)
+        return read(self._content(part, check_long_tags), self._scan)
 
-    def _content(self, part: str) -> bytes:
+    def _content(self, part: str, look: Callable[[bytes], None] = check_names) -> bytes:
         """Return the content of a part that nobody has read: none has two purposes."""
         name = part.lower()
         member = self._members[name]
         if name in self._seen:
             raise ValueError(part)
         self._seen.add(name)
-        return self._unpacked(member)
+        return self._unpacked(member, look)
 
     def check_others(self) -> tuple[str, ...]:
         """Check every part that nobody has read, in the order of the archive.
@@ -160,7 +150,7 @@ class Package:
         return tuple(self._damaged)
 
     def _check(self, member: zipfile.ZipInfo) -> None:
-        content = self._unpacked(member)
+        content = self._unpacked(member, check_names)
         try:
             if content:
                 self._check_content(content)
@@ -175,7 +165,7 @@ class Package:
         else:
             self._scan.add(_seen_in(content))
 
-    def _unpacked(self, member: zipfile.ZipInfo) -> bytes:
+    def _unpacked(self, member: zipfile.ZipInfo, look: Callable[[bytes], None]) -> bytes:
         """Return a part that is XML, however it is called; nothing of others: they stay packed."""
         with self._archive.open(member) as stream:
             beginning = stream.read(_CHUNK)
@@ -183,7 +173,7 @@ class Package:
                 return b""
             self._scan.unpack(member.file_size)
             content = beginning + stream.read()
-        check_names(content)
+        look(content)
         return content
 
     def related(self, part: str) -> tuple[Related, ...]:
@@ -260,7 +250,8 @@ class Package:
 
 
 def _go_through(content: bytes, scan: XmlScan) -> None:
-    if may_hold_asides(content):  # which cost a tree too much, and nothing without one
+    # Both cost a tree too much, and nothing without one.
+    if len(content) > LONG or may_hold_asides(content):
         scan.check(content)
         return
     try:
@@ -283,13 +274,7 @@ def _made_of(content: bytes, make: Callable[[Element], Any]) -> tuple[Any, PartC
 
 
 def _scan_of_short() -> XmlScan:
-    return XmlScan(Bounds(part=_SHORT, total=_SHORT, elements=_SHORT))
-
-
-def _ended(parser: "XMLPullParser[Element]") -> Iterator[Element]:
-    events: Iterator[Any] = parser.read_events()
-    for _, element in events:
-        yield element
+    return XmlScan(Bounds(_SHORT, _SHORT, _SHORT, _SHORT, _SHORT))
 
 
 def part_name(member: str) -> str:

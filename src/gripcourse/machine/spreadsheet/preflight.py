@@ -25,11 +25,15 @@ LARGEST_PART: Final = 8 * MEGABYTE  # of XML; 99 % of real workbooks have 2.2 in
 MOST_PARTS: Final = 1000
 MOST_ELEMENTS: Final = 200_000  # XML elements; a cell is one or two, an answer workbook has 5000
 
-SUBMISSION: Final = Bounds(LARGEST_PART, LARGEST_TOTAL, MOST_ELEMENTS)
+SUBMISSION: Final = Bounds(
+    LARGEST_PART, LARGEST_TOTAL, MOST_ELEMENTS, tree=LARGEST_PART, tree_elements=MOST_ELEMENTS
+)
 """What a student hands in."""
 
-TABLE: Final = Bounds(64 * MEGABYTE, 96 * MEGABYTE, 3_000_000)
-"""What an instructor makes: a table of a hundred thousand rows is one."""
+TABLE: Final = Bounds(
+    *(32 * MEGABYTE, 48 * MEGABYTE, 1_200_000), tree=LARGEST_PART, tree_elements=MOST_ELEMENTS
+)
+"""What an instructor makes: a table of as many cells as are read of one, whoever wrote it."""
 
 _METHODS: Final = frozenset({zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED})
 _CHUNK: Final = 1 << 16
@@ -59,6 +63,18 @@ _RICH_TEXT: Final = b"{\\rtf"
 _CONTROL: Final = re.compile(rb"[\0-\x08\x0e-\x1f]")  # bytes that no text has
 
 
+class DecidedError(Exception):
+    """A file that is refused whatever else is in it: no second look at it is worth its time.
+
+    Attributes:
+        reason: for the person who sent it.
+    """
+
+    def __init__(self, reason: WhyRefused) -> None:
+        self.reason = reason
+        super().__init__(reason)
+
+
 def read_checked(
     name: str, data: bytes, read: Callable[[Package], Made], bounds: Bounds = SUBMISSION
 ) -> Made | WhyRefused:
@@ -83,6 +99,8 @@ def read_checked(
         _check_name(name)
         _check_magic(data)
         return _read_archive(data, read, bounds)
+    except DecidedError as decided:
+        return decided.reason
     except Exception as fault:  # noqa: BLE001 (whatever the bytes make a library raise)
         failed = fault.with_traceback(None)  # which holds all that was read
     reason = refusal(name, data, bounds)

@@ -1,14 +1,13 @@
 """The cells of a sheet that names point to, as the file stores them; no other cell is kept."""
 
 import re
-from collections.abc import Collection, Iterable, Iterator, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from itertools import product
 from typing import Final, NamedTuple, TypeAlias
 from xml.etree.ElementTree import Element
 
 from gripcourse.machine.spreadsheet.addresses import Place, place_of
 from gripcourse.machine.spreadsheet.xml_scan import local, namespace
-from gripcourse.machine.table_bounds import MOST_ROWS, TooLargeTableError
 
 
 class StoredCell(NamedTuple):
@@ -49,14 +48,15 @@ def first_of_merged(sheet: Element, places: Collection[Place]) -> dict[Place, Pl
     shown = {place: place for place in places}
     space = namespace(sheet)
     for element in sheet.iterfind(f"{space}mergeCells/{space}mergeCell"):
-        merged = _merged(element)
+        merged = merged_range(element.get("ref", ""))
         if merged is not None:
             shown |= _first_of(*merged, places)
     return shown
 
 
-def _merged(element: Element) -> Merged | None:
-    first, _, last = element.get("ref", "").partition(":")
+def merged_range(reference: str) -> Merged | None:
+    """Read the range that is merged; None where it is none of a sheet."""
+    first, _, last = reference.partition(":")
     one, other = place_of(first), place_of(last or first)
     return None if one is None or other is None else (one, other)
 
@@ -118,48 +118,11 @@ def _of_one_value(cell: Element) -> Element:
     return cell
 
 
-def all_cells(
-    elements: Iterable[Element], merged: list[Merged]
-) -> Mapping[int, Mapping[int, StoredCell]]:
-    """Read all cells of a long sheet that are stored: by row, then by column.
-
-    Args:
-        elements: of the sheet as they end; its rows are cleared.
-        merged: where its merged ranges are recorded.
-
-    Raises:
-        TooLargeTableError: more rows hold something than are ever read.
-    """
-    found: dict[int, dict[int, StoredCell]] = {}
-    filled = 0
-    for number, row in _numbered(_rows_of(elements, merged)):
-        space = namespace(row)
-        is_filled = False
-        for (_, column), cell in _of_row(row, number, space):
-            stored = found.setdefault(number, {})[column] = _stored(cell, space)
-            is_filled = is_filled or bool(stored.text or stored.formula)
-        row.clear()
-        filled += is_filled
-        if filled > MOST_ROWS:
-            raise TooLargeTableError
-    return found
-
-
-def _rows_of(elements: Iterable[Element], merged: list[Merged]) -> Iterator[Element]:
-    """Yield the rows among elements, and record the merged ranges, which stand behind them."""
-    for one in elements:
-        kind = local(one)
-        if kind == "row":
-            yield one
-        elif kind == "mergeCell" and (found := _merged(one)) is not None:
-            merged.append(found)
-
-
 def _numbered(rows: Iterable[Element]) -> Iterator[tuple[int, Element]]:
     """Yield the rows of a sheet with their numbers; one without stands below the last one."""
     number = 0
     for row in rows:
-        number = _whole(row.get("r")) or number + 1
+        number = whole_number(row.get("r")) or number + 1
         yield number, row
 
 
@@ -181,29 +144,53 @@ def _stored(cell: Element, space: str) -> StoredCell:
     if kind == "inlineStr":
         text = None if inline is None else text_of(inline)
     elif kind == "str" and text:
-        text = _unescaped(text)
+        text = unescaped(text)
     return StoredCell(
         kind=kind,
         text=text or None,
-        style=_whole(cell.get("s")) or 0,
+        style=whole_number(cell.get("s")) or 0,
         formula="" if formula is None else f"={formula.text or '…'}",
     )
 
 
+class TextPiece(NamedTuple):
+    """A piece of a text that looks other than the rest of it.
+
+    Attributes:
+        text: as it is written in the file.
+        place: `superscript` or `subscript`; anything else for neither.
+        is_struck: whether it is crossed out.
+    """
+
+    text: str
+    place: str
+    is_struck: bool
+
+
 def text_of(item: Element) -> str:
-    """Join the pieces of a text; how it is pronounced is not part of it.
+    """Join the pieces of a text; how it is pronounced is not part of it. See `joined_text`."""
+    space = namespace(item)
+    pieces = [
+        TextPiece(_text_in(one, space), _place_of(one, space), _is_struck(one, space))
+        for one in item.findall(f"{space}r")
+    ]
+    return joined_text(_text_in(item, space), pieces)
+
+
+def joined_text(plain: str, pieces: Sequence[TextPiece]) -> str:
+    """Join the pieces of a text behind what stands in none.
 
     What is raised stays raised: 10 with a raised 6 is a million, not a hundred and six. What is
     lowered stays lowered. Of a text of which a part is crossed out, each of that part's signs is
     followed by `CROSSED_OUT`.
     """
-    space = namespace(item)
-    plain = _text_in(item, space)
-    pieces = [(one, _placed(_text_in(one, space), one, space)) for one in item.findall(f"{space}r")]
-    struck = [_is_struck(one, space) for one, _ in pieces]
+    plain = unescaped(plain)
+    if not pieces:
+        return plain
+    shown = [(_placed(unescaped(one.text), one.place), one.is_struck) for one in pieces]
+    struck = [is_out for _, is_out in shown]
     if not any(struck) or (all(struck) and not plain):  # as some mark what is done with
-        return plain + "".join([text for _, text in pieces])
-    shown = ((text, is_out) for (_, text), is_out in zip(pieces, struck, strict=True))
+        return plain + "".join([text for text, _ in shown])
     return plain + "".join([_crossed_out(text) if is_out else text for text, is_out in shown])
 
 
@@ -217,23 +204,32 @@ def _crossed_out(text: str) -> str:
     return "".join([sign + CROSSED_OUT for sign in text[:_LONGEST_CROSSED]])
 
 
+def is_struck(value: str) -> bool:
+    """Tell by what a file says of a line through a text whether there is one."""
+    return value not in {"0", "false"}
+
+
 def _is_struck(piece: Element, space: str) -> bool:
     line = piece.find(f"{space}rPr/{space}strike")
-    return line is not None and line.get("val", "1") not in {"0", "false"}
+    return line is not None and is_struck(line.get("val", "1"))
 
 
 def _text_in(piece: Element, space: str) -> str:
-    return _unescaped("".join([one.text or "" for one in piece.findall(f"{space}t")]))
+    return "".join([one.text or "" for one in piece.findall(f"{space}t")])
 
 
-def _placed(text: str, piece: Element, space: str) -> str:
-    """Write what a piece of a text shows above or below the line in the signs that stand there."""
+def _place_of(piece: Element, space: str) -> str:
     place = piece.find(f"{space}rPr/{space}vertAlign")
-    table = None if place is None else _PLACED.get(place.get("val", ""))
+    return "" if place is None else place.get("val", "")
+
+
+def _placed(text: str, place: str) -> str:
+    """Write what a piece of a text shows above or below the line in the signs that stand there."""
+    table = _PLACED.get(place)
     return text if table is None else text.translate(table)
 
 
-def _unescaped(text: str) -> str:
+def unescaped(text: str) -> str:
     """Read the signs that the format writes by their numbers, as `_x000D_` for a line's end."""
     return _ESCAPED.sub(_sign, text) if "_x" in text else text
 
@@ -244,10 +240,8 @@ def _sign(escaped: re.Match[str]) -> str:
     return escaped[0] if _NO_SIGN.match(sign) else sign
 
 
-def shared_texts(
-    elements: Iterable[Element], wanted: Collection[int] | None = None
-) -> Mapping[int, str]:
-    """Read the wanted items of the table of shared texts; all where None.
+def shared_texts(elements: Iterable[Element], wanted: Collection[int]) -> Mapping[int, str]:
+    """Read the wanted items of the table of shared texts.
 
     Args:
         elements: of the table; its items are cleared.
@@ -257,12 +251,13 @@ def shared_texts(
     number = 0
     for element in elements:
         if local(element) == "si":
-            if wanted is None or number in wanted:
+            if number in wanted:
                 found[number] = text_of(element)
             number += 1
             element.clear()
     return found
 
 
-def _whole(text: str | None) -> int | None:
+def whole_number(text: str | None) -> int | None:
+    """Read a number of a row or of a style; None where it is none."""
     return int(text) if text and len(text) <= 9 and text.isdecimal() else None  # noqa: PLR2004 (digits of any row)

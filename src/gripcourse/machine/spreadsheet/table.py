@@ -1,46 +1,49 @@
 """All cells of the sheets of a spreadsheet: tables that a person made."""
 
+import re
 from bisect import bisect_right
-from collections.abc import Callable, Iterable
+from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Final
-from xml.etree.ElementTree import Element
+from datetime import date, time
+from typing import Final, TypeAlias
 
 from gripcourse.machine.process_wide import few_collections
 from gripcourse.machine.spreadsheet.cell_value import (
     CellValue,
+    NumberFormats,
     UnreadableContentError,
     counts_from_1904,
     formats_of,
     shown_value,
+    text_index,
+)
+from gripcourse.machine.spreadsheet.long_parts import (
+    LongSheet,
+    ShownText,
+    read_long_sheet,
+    read_long_texts,
 )
 from gripcourse.machine.spreadsheet.package import Package
-from gripcourse.machine.spreadsheet.preflight import TABLE, read_checked
+from gripcourse.machine.spreadsheet.preflight import TABLE, DecidedError, read_checked
 from gripcourse.machine.spreadsheet.refusals import WhyRefused
 from gripcourse.machine.spreadsheet.sheet_cells import (
-    Merged,
     StoredCell,
-    all_cells,
-    shared_texts,
+    unescaped,
     without_crossed_out,
 )
-from gripcourse.machine.table_bounds import MOST_COLUMNS, TooLargeTableError, within_bounds
+from gripcourse.machine.spreadsheet.xml_scan import RefusedError
+from gripcourse.machine.table_bounds import RoomForCells, TooLargeTableError, within_bounds
 
-_MOST_FILLED: Final = 1_000_000  # cells of merged ranges
+# Digits of a number that are kept by whatever holds it.
+_SIMPLE: Final = re.compile(r"-?\d{1,15}(?:\.\d{1,20})?(?:[eE][+-]?\d{1,2})?", re.ASCII)
 
 
-@dataclass(frozen=True, slots=True)
-class TableRow:
-    """A row that holds anything.
+TableRow: TypeAlias = tuple[int, tuple[str, ...]]
+"""A row that holds anything: its number, as a spreadsheet shows it, and its cells as text.
 
-    Attributes:
-        number: as a spreadsheet shows it, from 1.
-        cells: from the first column to the last that holds something; of a formula its stored
-            result, or the formula where none is stored.
-    """
-
-    number: int
-    cells: tuple[CellValue, ...]
+They are those from the first column to the last that holds something: a number with all its digits,
+of a formula its stored result, or the formula where none is stored.
+"""
 
 
 @dataclass(frozen=True, slots=True)
@@ -67,18 +70,23 @@ def visible_sheets(data: bytes) -> tuple[TableSheet, ...] | WhyRefused:
     """
     try:
         with few_collections():  # three quarters of the time otherwise, of a hundred thousand rows
-            return read_checked("", data, _sheets_within_bounds, TABLE)
+            return read_checked("", data, _sheets_or_reason, TABLE)
     except MemoryError:
         return WhyRefused.TOO_LARGE
     except Exception:  # noqa: BLE001 (whatever the bytes make a library raise)
         return WhyRefused.UNREADABLE_CONTENT
 
 
-def _sheets_within_bounds(package: Package) -> tuple[TableSheet, ...] | WhyRefused:
+def _sheets_or_reason(package: Package) -> tuple[TableSheet, ...]:
     try:
         return _sheets(package)
-    except TooLargeTableError:  # known: no second look at all of it is worth its time
-        return WhyRefused.TOO_LARGE
+    except TooLargeTableError:
+        reason = WhyRefused.TOO_LARGE
+    except UnreadableContentError:
+        reason = WhyRefused.UNREADABLE_CONTENT
+    except RefusedError as refused:
+        reason = refused.reason
+    raise DecidedError(reason)
 
 
 def _sheets(package: Package) -> tuple[TableSheet, ...]:
@@ -87,23 +95,14 @@ def _sheets(package: Package) -> tuple[TableSheet, ...]:
     titles = [title for title in sheets if title not in hidden] or list(sheets)[:1]
     parts = {one.kind: one.part for one in package.related(workbook)}
     has_texts = package.has(parts.get("sharedStrings", ""))
-    texts = shared_texts(package.elements(parts["sharedStrings"])) if has_texts else {}
+    texts = package.long_part(parts["sharedStrings"], read_long_texts) if has_texts else []
     formats = formats_of(package, parts.get("styles"))
-    from_1904 = counts_from_1904(package, workbook)
-
-    def value_of(cell: StoredCell) -> CellValue:
-        if cell.kind == "n" and cell.text is not None and formats.is_lost(cell):
-            raise UnreadableContentError  # half a point may have been half of all of them
-        shown = shown_value(cell, formats.of(cell), texts, from_1904=from_1904)
-        if shown.error and shown.value is None:  # a text that is not there: nobody may be left out
-            raise UnreadableContentError
-        value = without_crossed_out(shown.value) if isinstance(shown.value, str) else shown.value
-        return cell.formula or None if value is None else value
-
+    shown = _shown_by(texts, formats, from_1904=counts_from_1904(package, workbook))
+    room = RoomForCells()
     # Two titles may lead to one part, which is read once.
     once = {sheets[title]: title for title in reversed(titles)}
     found = [
-        TableSheet(title, _rows(package.elements(part), value_of))
+        TableSheet(title, _rows(_long_sheet(package, part, shown, room), room))
         for part, title in reversed(once.items())
     ]
     if not found:
@@ -111,39 +110,69 @@ def _sheets(package: Package) -> tuple[TableSheet, ...]:
     return tuple(one for one in found if one.rows) or (found[0],)
 
 
-def _rows(
-    elements: Iterable[Element], value_of: Callable[[StoredCell], CellValue]
-) -> tuple[TableRow, ...]:
-    merged: list[Merged] = []
-    cells = all_cells(elements, merged)
-    values = {
-        number: {column: value_of(cell) for column, cell in of_row.items()}
-        for number, of_row in sorted(cells.items())
-    }
-    _fill_down(values, merged)
-    shown = within_bounds(map(_in_a_row, values.values()))
-    rows = (TableRow(number, one) for number, one in zip(values, shown, strict=True))
-    return tuple(row for row in rows if row.cells)
+def _long_sheet(package: Package, part: str, shown: ShownText, room: RoomForCells) -> LongSheet:
+    return package.long_part(
+        part, lambda content, scan: read_long_sheet(content, scan, shown, room)
+    )
 
 
-def _fill_down(values: dict[int, dict[int, CellValue]], merged: Iterable[Merged]) -> None:
+def _shown_by(texts: Sequence[str], formats: NumberFormats, *, from_1904: bool) -> ShownText:
+    """Return what tells the text that a cell shows."""
+    plain = {style for style in range(len(formats.of_styles)) if formats.is_plain(style)} or {0}
+    # Once: a long one may stand in every cell.
+    texts = [without_crossed_out(text).strip() for text in texts]
+    by_number = dict(enumerate(texts))
+
+    def shown(kind: str, text: str | None, style: int, formula: str) -> str:
+        if text is None:
+            return formula
+        if kind == "s":
+            index = text_index(text)
+            if index is None or index >= len(texts):  # nobody may be left out
+                raise UnreadableContentError
+            return texts[index] or formula
+        if kind in {"inlineStr", "str"}:
+            return without_crossed_out(text if kind == "inlineStr" else unescaped(text)) or formula
+        if kind == "n" and style in plain and _SIMPLE.fullmatch(text):
+            number = float(text)
+            if number:  # one that is too small to be held is no zero
+                return str(int(number)) if number.is_integer() else str(number)
+        return shown_in_full(StoredCell(kind, text, style, formula)) or formula
+
+    def shown_in_full(cell: StoredCell) -> str:
+        if cell.kind == "n" and formats.is_lost(cell):
+            raise UnreadableContentError  # half a point may have been half of all of them
+        value = shown_value(cell, formats.of(cell), by_number, from_1904=from_1904).value
+        return _cell_text(without_crossed_out(value) if isinstance(value, str) else value)
+
+    return shown
+
+
+def _rows(sheet: LongSheet, room: RoomForCells) -> tuple[TableRow, ...]:
+    values = {number: sheet.rows[number] for number in sorted(sheet.rows)}
+    _fill_down(values, sheet, room)
+    shown = within_bounds(tuple(row or ()) for row in values.values())
+    return tuple(row for row in zip(values, shown, strict=True) if row[1])
+
+
+def _fill_down(values: dict[int, list[str] | None], sheet: LongSheet, room: RoomForCells) -> None:
     """Write what a merged range shows into its rows; a row without cells gets none."""
     numbers = list(values)
-    left = _MOST_FILLED
-    for (first, column), (last, _) in merged:
-        value = values.get(first, {}).get(column)
-        if value is None:
+    for (first, column), (last, _) in sheet.merged:
+        above = values.get(first) or []
+        value = above[column - 1] if column <= len(above) else ""
+        if not value:
             continue
-        rows = numbers[bisect_right(numbers, first) : bisect_right(numbers, last)]
-        left -= len(rows)
-        if left < 0:  # ranges of a spreadsheet program do not overlap
-            raise UnreadableContentError
-        for number in rows:
-            values[number][column] = value
+        for number in numbers[bisect_right(numbers, first) : bisect_right(numbers, last)]:
+            row = values[number] = values[number] or []
+            room.put(value, column, row)
 
 
-def _in_a_row(values: dict[int, CellValue]) -> tuple[CellValue, ...]:
-    last = max((column for column, value in values.items() if value is not None), default=0)
-    if last > MOST_COLUMNS:
-        raise TooLargeTableError
-    return tuple(values.get(column) for column in range(1, last + 1))
+def _cell_text(value: CellValue) -> str:
+    if value is None:
+        return ""
+    if isinstance(value, float) and value.is_integer():
+        return str(int(value))
+    if isinstance(value, date | time):
+        return value.isoformat()
+    return str(value)

@@ -25,6 +25,8 @@ MOST_ASIDES: Final = 100
 # by themselves: lines of one letter take forty times their length.
 MOST_LINES: Final = 1_000_000
 
+MOST_NAMES: Final = 10_000  # all formats of office programs together have some thousands
+
 _MOST: Final[Mapping[str, tuple[int, WhyRefused]]] = {
     "sheet": (MOST_SHEETS, WhyRefused.TOO_LARGE),
     "relation": (MOST_RELATIONS, WhyRefused.TOO_LARGE),
@@ -33,6 +35,8 @@ _MOST: Final[Mapping[str, tuple[int, WhyRefused]]] = {
 }
 _RANGES: Final = frozenset({"mergeCell", "hyperlink", "comment"})
 _COUNTED: Final = _RANGES | {"sheet", "Relationship"}
+OF_ANY_SPACE: Final = _COUNTED | {"AlternateContent"}
+"""Elements that count in whatever namespace."""
 _TAG_OF: Final = attrgetter("tag")
 _CORNERS: Final = re.compile(r"\$?([A-Za-z]{1,3})\$?(\d{1,7})(?::\$?([A-Za-z]{1,3})\$?(\d{1,7}))?")
 
@@ -56,11 +60,15 @@ class Bounds:
     Attributes:
         part, total: bytes of XML, unpacked, by the sizes that the archive declares.
         elements: of XML.
+        tree: bytes of a part of which a tree is made.
+        tree_elements: of such a part.
     """
 
     part: int
     total: int
     elements: int
+    tree: int
+    tree_elements: int
 
 
 @dataclass(frozen=True, slots=True)
@@ -155,10 +163,21 @@ class XmlScan:
             parser.CommentHandler = parser.ProcessingInstructionHandler = pass_by
         parser.StartElementHandler = enter
         parser.EndElementHandler = leave
-        parser.StartDoctypeDeclHandler = _refuse_declarations
+        parser.StartDoctypeDeclHandler = refuse_declarations
         # In one piece: with each further one the parser looks through a long attribute again.
         parser.Parse(content, True)
         self._elements = elements
+
+    def look_at(self, depth: int, name: str, attributes: Mapping[str, str]) -> None:
+        """Bound an element of a part that somebody else goes through.
+
+        Raises:
+            RefusedError: it stands too deep, or there are too many of its kind.
+        """
+        if depth > DEEPEST:
+            raise RefusedError(WhyRefused.FOREIGN_CONTENT)
+        if name in _COUNTED:
+            self._count_one(name, attributes)
 
     def root(self, content: bytes) -> Element:
         """Check a part and return its tree.
@@ -170,9 +189,11 @@ class XmlScan:
             RefusedError: as above.
             Exception: what the parser raises of unsound XML.
         """
+        if len(content) > self._bounds.tree:
+            raise RefusedError(WhyRefused.TOO_LARGE)
         if content.count(b"\n") + content.count(b"\r") > MOST_LINES:
             raise RefusedError(WhyRefused.TOO_LARGE)
-        left = self._bounds.elements - self._elements
+        left = min(self._bounds.elements - self._elements, self._bounds.tree_elements)
         # Each element begins with this byte in every encoding.
         if content.count(b"<") > left or may_hold_asides(content):
             XmlScan(replace(self._bounds, elements=left)).check(content, most_asides=MOST_ASIDES)
@@ -226,7 +247,7 @@ def may_hold_asides(content: bytes) -> bool:
 
 class _Builder(TreeBuilder):
     def doctype(self, *_declaration: object) -> None:
-        _refuse_declarations()
+        refuse_declarations()
 
 
 def namespace(element: Element) -> str:
@@ -245,7 +266,12 @@ def local_name(name: str) -> str:
     return name.rpartition("}")[2]
 
 
-def _refuse_declarations(*_declaration: object) -> None:
+def refuse_declarations(*_declaration: object) -> None:
+    """Refuse a part that declares a type, or entities.
+
+    Raises:
+        RefusedError: always.
+    """
     raise RefusedError(WhyRefused.FOREIGN_CONTENT)
 
 
