@@ -48,6 +48,7 @@ FLAGS = {
     FlagCode.SAME_CREATOR: message("same author"),
     FlagCode.SEVERAL_FILES: message("several files"),
     FlagCode.SIGNATURE: message("wrong signature"),
+    FlagCode.TIME_DOUBTFUL: message("when handed in?"),
     FlagCode.UNKNOWN_STUDENT: message("unknown student"),
     FlagCode.UNREADABLE: message("unreadable"),
     FlagCode.WHO_HANDED_IN: message("who handed this in?"),

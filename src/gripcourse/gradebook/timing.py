@@ -86,7 +86,7 @@ def timings_of(
         rules: of the policy.
     """
     ordered = in_order(works)
-    costs = {one.digest: _cost(one.handed_in, deadline, waiver, rules.late) for one in ordered}
+    costs = {one.digest: lateness(one.handed_in, deadline, waiver, rules.late) for one in ordered}
     most = rules.attempts.most if rules.attempts else 0
     may = [one for one in (ordered[:most] if most else ordered) if one.attempt.judged]
     counting = _counting(may, marked, {name: cost for name, (_, cost) in costs.items()}, rules)
@@ -106,7 +106,7 @@ def timings_of(
     }
 
 
-def _cost(
+def lateness(
     handed_in: datetime | None,
     deadline: datetime | None,
     waiver: Waiver | None,

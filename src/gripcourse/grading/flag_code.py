@@ -28,6 +28,7 @@ class FlagCode(StrEnum):
     SAME_CREATOR = "same_creator"
     SEVERAL_FILES = "several_files"
     SIGNATURE = "signature"
+    TIME_DOUBTFUL = "time_doubtful"  # clocks show it twice or never, and lateness depends on it
     UNKNOWN_STUDENT = "unknown_student"
     UNREADABLE = "unreadable"  # too many answers cannot be read: it is no mark, but a question
     WHO_HANDED_IN = "who_handed_in"  # workbook and path disagree, or nothing proves it

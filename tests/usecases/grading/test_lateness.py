@@ -21,6 +21,7 @@ from gripcourse.errors import UsageError
 from gripcourse.exports.grades import grades_text
 from gripcourse.exports.make_report_result import report_result
 from gripcourse.exports.platforms.moodle_words import HEADINGS, MoodleColumn
+from gripcourse.gradebook.deadlines import Deadline
 from gripcourse.gradebook.timing import Waiver
 from gripcourse.grading.model import Flag, FlagCode, Report, Timing
 from gripcourse.policy.time_rules import AttemptRule, Counts, LateRule
@@ -217,6 +218,60 @@ def test_a_grading_worksheet_says_when_its_participants_handed_in(
     assert list(handed_in_times([str(sheet)], [hidden, team], KYIV)) == [str(hidden)]
     with pytest.raises(UsageError, match="No file of the batch has the number"):
         handed_in_times([str(sheet)], [Path("3.xlsx"), team], KYIV)
+
+
+class TestDoubtfulTimes:
+    """The deadline is half past three of the night in which clocks are set back at four."""
+
+    @pytest.fixture
+    def night(self, office: Office, monkeypatch: pytest.MonkeyPatch) -> Office:
+        deadline = datetime(2026, 10, 25, 0, 30, tzinfo=UTC)
+        monkeypatch.setattr(
+            "gripcourse.usecases.marks.gradebook.course_deadlines",
+            lambda *_: (Deadline("", "", deadline),),
+        )
+        office.files = [office.files[0]]
+        return office
+
+    def said(self, night: Office, written: str) -> tuple[Report, HandingTime]:
+        (file,) = night.files
+        alone = grade_file(file, night.context)
+        part = Path(f"a.zip/Иванова Анна_3_assignsubmission_file/{file.name}")
+        sheet = Path(night.place).with_name("Grades.csv")
+        words = HEADINGS["ru"]
+        columns = [MoodleColumn.IDENTIFIER, MoodleColumn.NAME, MoodleColumn.GRADE,
+                   MoodleColumn.HANDED_IN_AT, MoodleColumn.GRADED_AT]  # fmt: skip
+        heading = "\t".join(words[one] for one in columns)
+        row = f"Участник3\tИванова Анна\t\t{written}\t-"
+        sheet.write_text(f"{heading}\n{row}\n", encoding="utf-8")
+        times = handed_in_times([str(sheet)], [part], KYIV)
+        graded = [Graded(replace(alone, file=str(part)), "")]
+        (kept,) = keep(graded, night.context, night.place, NOW, times)
+        return kept.report, times[str(part)]
+
+    def test_the_earlier_moment_counts_and_the_work_is_flagged(self, night: Office) -> None:
+        report, time = self.said(night, "воскресенье, 25 октября 2026, 03:15")
+        assert time.at == datetime(2026, 10, 25, 0, 15, tzinfo=UTC)
+        assert report.timing is not None
+        assert report.timing.days_late == 0
+        (flag,) = report.flags
+        assert flag.code is FlagCode.TIME_DOUBTFUL
+        assert str(flag.message) == (
+            "Clocks show 2026-10-25 03:15 twice: they are set back. The work was handed in then:"
+            " days late by the earlier moment 0, by the later one 1. The earlier one counts until"
+            " somebody says when it was handed in."
+            " Write 2026-10-25 03:15+03:00 or 2026-10-25 03:15+02:00."
+        )
+
+    @pytest.mark.parametrize("clock", ["03:45", "02:59", "04:00"])
+    def test_where_lateness_is_the_same_nothing_is_said(self, night: Office, clock: str) -> None:
+        report, _ = self.said(night, f"воскресенье, 25 октября 2026, {clock}")
+        assert report.flags == ()
+
+    def test_an_hour_that_clocks_skip_means_the_earlier_moment(self, night: Office) -> None:
+        _, time = self.said(night, "воскресенье, 29 марта 2026, 03:30")
+        assert time.at == datetime(2026, 3, 29, 0, 30, tzinfo=UTC)
+        assert time.later == datetime(2026, 3, 29, 1, 30, tzinfo=UTC)
 
 
 def test_where_a_rule_says_which_of_several_works_counts_nobody_is_asked(office: Office) -> None:

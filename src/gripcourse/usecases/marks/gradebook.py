@@ -24,12 +24,13 @@ from gripcourse.gradebook.model import (
 )
 from gripcourse.gradebook.results import digest_is_known
 from gripcourse.gradebook.store import Gradebook, open_gradebook
-from gripcourse.gradebook.timing import Waiver, timings_by_policy
+from gripcourse.gradebook.timing import Waiver, lateness, timings_by_policy
 from gripcourse.gradebook.works import StudentWork, works_of
-from gripcourse.grading.model import FlagCode, Report, Timing
+from gripcourse.grading.model import Flag, FlagCode, Report, Timing
 from gripcourse.machine.database.home import exists
 from gripcourse.machine.database.opening import demand_writing
 from gripcourse.policy.time_rules import Counts
+from gripcourse.text.words import message
 from gripcourse.usecases.marks.handed_in import HandingTime
 from gripcourse.usecases.serving.taken import order_of_works
 
@@ -171,15 +172,17 @@ def _kept(
     for name in students:
         stands = {one.digest: one.attempt for one in works[name] if (name, one.digest) in told}
         entered = [_entered(one, stands.get(one.digest), entries[name]) for one in reports[name]]
-        timings = timings_by_policy(
-            policy,
-            works[name],
-            latest_marks(entries[name]),
-            deadline_by_rule(keeping.context.register.get(name), keeping.deadlines, policy.late),
-            keeping.waived.get(name, ()),
-        )
+        issued, waived = keeping.context.register.get(name), keeping.waived.get(name, ())
+        deadline = deadline_by_rule(issued, keeping.deadlines, policy.late)
+        marks = latest_marks(entries[name])
+        timings = timings_by_policy(policy, works[name], marks, deadline, waived)
         if timings:
             entered = [replace(one, timing=timings.get(one.digest)) for one in entered]
+            doubts = [_doubt(keeping, one.file, deadline, waived) for one in entered]
+            entered = [
+                replace(one, flags=(*one.flags, *doubt))
+                for one, doubt in zip(entered, doubts, strict=True)
+            ]
         if policy.attempts is not None and _is_ordered(timings.values(), works[name]):
             entered = [_undisputed(one) for one in entered]
         for number, found_out, stands_now in zip(places[name], reports[name], entered, strict=True):
@@ -214,6 +217,29 @@ def _undisputed(report: Report) -> Report:
     """Return a report that asks nobody which of a student's works counts: the policy says it."""
     kept = tuple(flag for flag in report.flags if flag.code is not FlagCode.SEVERAL_FILES)
     return replace(report, flags=kept)
+
+
+def _doubt(
+    keeping: _Keeping, file: str, deadline: datetime | None, waived: Sequence[Waiver]
+) -> tuple[Flag, ...]:
+    """Flag a work whose lateness depends on which of two moments its time means."""
+    time, rule = keeping.times.get(file), keeping.context.policy.late
+    if time is None or time.later is None or time.doubt is None:
+        return ()
+    waiver = waived[-1] if waived else None
+    fewer, more = (lateness(at, deadline, waiver, rule) for at in (time.at, time.later))
+    if fewer == more:
+        return ()
+    what, remedy = time.doubt
+    said = message(
+        "{what} The work was handed in then: days late by the earlier moment {fewer}, by the later"
+        " one {more}. The earlier one counts until somebody says when it was handed in. {remedy}",
+        what=what,
+        fewer=fewer[0],
+        more=more[0],
+        remedy=remedy,
+    )
+    return (Flag(FlagCode.TIME_DOUBTFUL, said),)
 
 
 def _timed(attempt: Attempt, handed_in: HandingTime | None) -> Attempt:

@@ -12,16 +12,25 @@ from gripcourse.gradebook.deadlines import doubt_about, moment_of
 from gripcourse.grading.platforms import platform_part
 from gripcourse.machine.content import Readable, shown_name
 from gripcourse.text.shown import shown
-from gripcourse.text.words import message
+from gripcourse.text.words import Message, message
 from gripcourse.usecases.marks.batch_wish import is_table
 
 
 @dataclass(frozen=True, slots=True)
 class HandingTime:
-    """When a file was handed in, and whether a person says so."""
+    """When a file was handed in.
+
+    Attributes:
+        at: the moment; of two that a platform's table may mean the earlier one.
+        said: whether a person says so.
+        later: the other one; None where there is no doubt.
+        doubt: what is doubtful, and how a person writes which of both it is.
+    """
 
     at: datetime
     said: bool
+    later: datetime | None = None
+    doubt: tuple[Message, Message] | None = None
 
 
 def handed_in_times(
@@ -94,7 +103,15 @@ def _matched(
         name, written = moments[part.identifier]
         at = moment_of(written, zone)
         if part.stands_for(name) and at is not None:
-            yield shown(file), HandingTime(at, said=True)
+            yield shown(file), _of_platform(at, doubt_about(written, zone))
+
+
+def _of_platform(at: datetime, doubt: tuple[Message, Message] | None) -> HandingTime:
+    """Return the earlier moment that a platform's clock may mean: it costs the student nothing."""
+    if doubt is None:
+        return HandingTime(at, said=True)
+    earlier, later = sorted(at.replace(fold=one).astimezone(UTC) for one in (0, 1))
+    return HandingTime(earlier, said=True, later=later, doubt=doubt)
 
 
 def _ends_so(name: str, end: str) -> bool:

@@ -34,7 +34,9 @@ class DeskDeadlines:
             return deadline_of(issued, self._rows(), self._rule.time_zone)
         if issued.deadline is None:
             return None
-        return datetime.combine(issued.deadline, END_OF_DAY).astimezone()
+        end = datetime.combine(issued.deadline, END_OF_DAY)
+        # A day that ends twice does so the second time, here as elsewhere.
+        return max(end.replace(fold=one).astimezone() for one in (0, 1))
 
     def _rows(self) -> tuple[Deadline, ...]:
         state = _state_of(deadlines_path(self._root))
