@@ -16,13 +16,13 @@ def _root(n: Notebook) -> float:
 
 
 def _of_module(n: Notebook) -> float:
-    return 1.4 ** (3 * _root(n))
+    return float(1.4 ** (3 * _root(n)))
 
 
 def _other_root(n: Notebook, right: float) -> float:
     """Return a module by the cube root for the root, or by the root for the cube root."""
     inside = (right / _of_module(n)) ** (1 / _root(n))
-    return _of_module(n) * inside ** (5 / 6 - _root(n))
+    return float(_of_module(n) * inside ** (5 / 6 - _root(n)))
 
 
 _GEARS: Final[tuple[Mistake, ...]] = (

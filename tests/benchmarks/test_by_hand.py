@@ -37,6 +37,12 @@ def test_every_answer_of_a_solution_by_hand_is_paid_in_full(
         ("tangent_slider", "arcsine for the arctangent of the slot"),
         ("slot_crosshead", "sine of the drive arm left out"),
         ("vacuum_cups", "hose left out of the volume"),
+        ("slot_lever", "slot's force divided by the cosine"),
+        ("plain_lever", "whole drive force on the pivot"),
+        ("rack_parallelogram", "arctangent for the arcsine"),
+        ("pinion_racks", "turn in revolutions"),
+        ("wedge_slide", "friction left out of the ratio"),
+        ("cross_cylinder", "arms turned over in the ratio"),
     ],
 )
 def test_one_mistake_carried_on_is_charged_once_and_named(
