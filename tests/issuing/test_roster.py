@@ -223,3 +223,23 @@ def test_numbered_rows_of_a_form_that_name_nobody_are_passed_over(tmp_path: Path
     roster = read_roster(file)
     assert [one.name for one in roster.students] == ["Иванова Анна"]
     assert "Rows that name nobody were passed over: 3, 4." in map(str, roster.notes)
+
+
+@pytest.mark.parametrize("encoding", ["utf-8", "cp1251"])
+def test_a_list_that_is_mostly_of_columns_nobody_needs_has_headings(
+    tmp_path: Path, encoding: str
+) -> None:
+    lines = (
+        "Деканат машиностроительного факультета;;;;;",
+        "Список студентов группы РТК-41 на 2026/27 учебный год;;;;;",
+        "№ п/п;Ф.И.О.;Зачётная книжка №;Основа;Общежитие;Примечание",
+        "1;Абдуллаева Гюзель Рашидовна;;бюджет;;",
+        "2;Зайцев Артём Ёлкович;;контракт;;староста",
+    )
+    path = tmp_path / "roster.csv"
+    path.write_text("\n".join(lines), encoding=encoding)
+    roster = read_roster(path)
+    assert [(one.name, one.group) for one in roster.students] == [
+        ("Абдуллаева Гюзель Рашидовна", "РТК-41"),
+        ("Зайцев Артём Ёлкович", "РТК-41"),
+    ]

@@ -36,7 +36,7 @@ _BEGINNING = 1 << 20  # characters in which the first lines are looked for
 _SPREADSHEETS = frozenset({".xlsx", ".xlsm", ".xlsb", ".xls", ".ods", ".numbers"})
 _LAST_HEADING = 20  # row: whatever stands above headings is a title, not a page
 _FEWEST_KNOWN = 2  # headings in a row of headings; a title may be called as one by chance
-_WHOLE_SHARE = 0.5  # of a row's cells that are headings, where it is that row and no title
+_WHOLE_SHARE = 0.3  # of a row's cells that are headings, where it is that row and no title
 
 IsHeading: TypeAlias = Callable[[str], bool]
 """Tells whether a text is the heading of a column."""
