@@ -79,7 +79,7 @@ def read_spreadsheet(source: Readable) -> Sequence[TableSheet]:
     except TooLargeTableError as fault:
         raise UnreadableSpreadsheetError(*said_of_too_large_workbook()) from fault
     sheets = _read_apart(content)
-    if isinstance(sheets, WhyRefused) and sheets in _ENDINGS and not loses_texts(content):
+    if isinstance(sheets, WhyRefused) and sheets in _ENDINGS and not _loses_texts_apart(content):
         sheets = _read_converted(content, sheets)
     if sheets is WhyRefused.TOO_LARGE or isinstance(sheets, Lost):
         raise UnreadableSpreadsheetError(*said_of_too_large_workbook())
@@ -90,6 +90,15 @@ def read_spreadsheet(source: Readable) -> Sequence[TableSheet]:
 
 def _read_apart(content: bytes) -> tuple[TableSheet, ...] | WhyRefused | Lost:
     return do_apart(_sheets, content, None, limits=_READERS, seconds=_SECONDS)
+
+
+def _loses_texts_apart(content: bytes) -> bool:
+    lost = do_apart(_loses_texts, content, None, limits=_READERS, seconds=_SECONDS)
+    return isinstance(lost, Lost) or lost  # what is too much to look through is not opened
+
+
+def _loses_texts(content: bytes, _: None) -> bool:
+    return loses_texts(content)
 
 
 def _read_converted(
