@@ -15,6 +15,7 @@ from gripcourse.machine.spreadsheet.open_document import loses_texts
 from gripcourse.machine.spreadsheet.refusals import WhyRefused
 from gripcourse.machine.spreadsheet.table import TableSheet, visible_sheets
 from gripcourse.machine.table_bounds import (
+    LARGEST_TABLE,
     TooLargeTableError,
     content_of_table,
     said_of_too_large_workbook,
@@ -108,7 +109,9 @@ def _read_converted(
     office, name = office_command(), f"table{_ENDINGS[refused]}"
     # Numbers are stored as such: the language would matter to formulas over texts alone.
     made = {} if office is None else converted({name: content}, office, "").made
-    return _read_apart(made[name]) if name in made else refused
+    if name not in made:
+        return refused
+    return WhyRefused.TOO_LARGE if len(made[name]) > LARGEST_TABLE else _read_apart(made[name])
 
 
 def _sheets(data: bytes, _: None) -> tuple[TableSheet, ...] | WhyRefused:
