@@ -111,6 +111,13 @@ def test_what_must_not_be_opened_is_refused_for_what_it_is(data: bytes, why: Why
     assert refusal("a.ods", data) is why
 
 
+def test_a_document_that_lost_its_content_is_damaged_and_no_other_workbook() -> None:
+    stream = io.BytesIO()
+    with zipfile.ZipFile(stream, "w") as archive:
+        archive.writestr("mimetype", KIND)
+    assert refusal("a.ods", stream.getvalue()) is WhyRefused.DAMAGED
+
+
 def test_what_a_file_says_it_is_may_not_fill_the_memory() -> None:
     data = document(row(GOOD), others={"mimetype": KIND + b" " * 20_000_000})
     assert refusal("a.ods", data) is WhyRefused.OPEN_DOCUMENT

@@ -66,10 +66,11 @@ def check_open_document(archive: zipfile.ZipFile, bounds: Bounds) -> None:
         with archive.open(members[_MANIFEST]) as manifest:
             if _ENCRYPTED in manifest.read(_LONGEST_MANIFEST):
                 raise RefusedError(WhyRefused.PASSWORD)
-    if _CONTENT in members:
-        content = archive.read(members[_CONTENT])
-        check_long_tags(content)
-        _CellCount(bounds).check(content)
+    if _CONTENT not in members:  # LibreOffice shows a blank document
+        raise RefusedError(WhyRefused.DAMAGED)
+    content = archive.read(members[_CONTENT])
+    check_long_tags(content)
+    _CellCount(bounds).check(content)
 
 
 class _CellCount:
