@@ -89,7 +89,9 @@ def a_table_of_text() -> bytes:
 
 
 def an_open_document() -> bytes:
-    return archive({"mimetype": b"application/vnd.oasis.opendocument.spreadsheet"})
+    return archive(
+        {"mimetype": b"application/vnd.oasis.opendocument.spreadsheet", "content.xml": b"<x/>"}
+    )
 
 
 def a_binary_workbook() -> bytes:

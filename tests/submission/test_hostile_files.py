@@ -65,7 +65,10 @@ def archive(*members: tuple[str, bytes]) -> bytes:
         (b"PK\x03\x04" + bytes(100), "damaged"),
         (archive(("a.txt", b"x")), "not a workbook"),
         (
-            archive(("mimetype", b"application/vnd.oasis.opendocument.spreadsheet")),
+            archive(
+                ("mimetype", b"application/vnd.oasis.opendocument.spreadsheet"),
+                ("content.xml", b"<x/>"),
+            ),
             "OpenDocument",
         ),
         (archive(("word/document.xml", b"<w/>")), "text document"),

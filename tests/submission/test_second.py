@@ -94,14 +94,18 @@ def test_another_program_helps_no_file_that_is_refused_for_its_content() -> None
 
 
 def test_what_another_program_could_not_read_is_refused_as_it_was() -> None:
-    data = archive({"mimetype": b"application/vnd.oasis.opendocument.spreadsheet"})
+    data = archive(
+        {"mimetype": b"application/vnd.oasis.opendocument.spreadsheet", "content.xml": b"<x/>"}
+    )
     refused = read(data, b"?")
     assert isinstance(refused, Rejected)
     assert refused.code == "ods"
 
 
 def test_a_converted_file_is_read_under_its_own_name_and_digest() -> None:
-    data = archive({"mimetype": b"application/vnd.oasis.opendocument.spreadsheet"})
+    data = archive(
+        {"mimetype": b"application/vnd.oasis.opendocument.spreadsheet", "content.xml": b"<x/>"}
+    )
     again = read_again(NamedBytes("answers.ods", data), COMPUTED)
     assert isinstance(again, RawWorkbook)
     assert again.file == "answers.ods"

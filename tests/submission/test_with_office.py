@@ -12,7 +12,9 @@ from gripcourse.submission.raw import RawWorkbook
 from gripcourse.submission.with_office import read_with_office
 from hostile.small_workbook import PARTS, archive, holding
 
-OPEN_DOCUMENT = archive({"mimetype": b"application/vnd.oasis.opendocument.spreadsheet"})
+OPEN_DOCUMENT = archive(
+    {"mimetype": b"application/vnd.oasis.opendocument.spreadsheet", "content.xml": b"<x/>"}
+)
 BARE = holding('<c r="E5"><f>E13*2</f></c>')
 COMPUTED = holding('<c r="E5"><f>E13*2</f><v>80</v></c>')
 

@@ -67,6 +67,11 @@ def read_again(source: Readable, made: bytes) -> RawWorkbook | Rejected:
     first = read_workbook(source)
     again = read_workbook(NamedBytes(f"{PurePath(shown_name(source)).stem}.xlsx", made))
     if isinstance(again, Rejected):
+        is_opened = isinstance(first, Rejected) and first.code in OTHER_FORMATS
+        if (
+            is_opened and again.code == WhyRefused.FOREIGN.value
+        ):  # saved again, it would be no other
+            return replace(again, file=first.file, digest=first.digest)
         return first
     if isinstance(first, RawWorkbook):
         computed = _with_results(first, again)

@@ -15,6 +15,7 @@ from gripcourse.machine.spreadsheet.open_document import loses_texts
 from gripcourse.machine.spreadsheet.refusals import WhyRefused
 from gripcourse.machine.spreadsheet.table import TableSheet, visible_sheets
 from gripcourse.machine.table_bounds import (
+    LARGEST_TABLE,
     TooLargeTableError,
     content_of_table,
     said_of_too_large_workbook,
@@ -79,7 +80,7 @@ def read_spreadsheet(source: Readable) -> Sequence[TableSheet]:
     except TooLargeTableError as fault:
         raise UnreadableSpreadsheetError(*said_of_too_large_workbook()) from fault
     sheets = _read_apart(content)
-    if isinstance(sheets, WhyRefused) and sheets in _ENDINGS and not loses_texts(content):
+    if isinstance(sheets, WhyRefused) and sheets in _ENDINGS and not _loses_texts_apart(content):
         sheets = _read_converted(content, sheets)
     if sheets is WhyRefused.TOO_LARGE or isinstance(sheets, Lost):
         raise UnreadableSpreadsheetError(*said_of_too_large_workbook())
@@ -92,6 +93,15 @@ def _read_apart(content: bytes) -> tuple[TableSheet, ...] | WhyRefused | Lost:
     return do_apart(_sheets, content, None, limits=_READERS, seconds=_SECONDS)
 
 
+def _loses_texts_apart(content: bytes) -> bool:
+    lost = do_apart(_loses_texts, content, None, limits=_READERS, seconds=_SECONDS)
+    return isinstance(lost, Lost) or lost  # what is too much to look through is not opened
+
+
+def _loses_texts(content: bytes, _: None) -> bool:
+    return loses_texts(content)
+
+
 def _read_converted(
     content: bytes, refused: WhyRefused
 ) -> tuple[TableSheet, ...] | WhyRefused | Lost:
@@ -99,7 +109,9 @@ def _read_converted(
     office, name = office_command(), f"table{_ENDINGS[refused]}"
     # Numbers are stored as such: the language would matter to formulas over texts alone.
     made = {} if office is None else converted({name: content}, office, "").made
-    return _read_apart(made[name]) if name in made else refused
+    if name not in made:
+        return refused
+    return WhyRefused.TOO_LARGE if len(made[name]) > LARGEST_TABLE else _read_apart(made[name])
 
 
 def _sheets(data: bytes, _: None) -> tuple[TableSheet, ...] | WhyRefused:

@@ -21,6 +21,7 @@ from gripcourse.course.quantity import Kind, Quantity
 from gripcourse.errors import Problem, TableError
 from gripcourse.machine.content import Readable
 from gripcourse.machine.files import write_bytes
+from gripcourse.machine.table_bounds import MOST_CELLS
 from gripcourse.text.words import Message, message
 from gripcourse.variants.cells import converted, number_text
 from gripcourse.variants.defaults import Defaults
@@ -32,6 +33,7 @@ from gripcourse.variants.headings import (
 )
 from gripcourse.variants.model import Variant
 from gripcourse.variants.named_choices import language_of
+from gripcourse.variants.readable import Room, expect_readable
 from gripcourse.variants.rows import RowReader
 from gripcourse.variants.sheet import Sheet, read_sheet
 from gripcourse.variants.table_workbook import declared_units, write_table_workbook
@@ -116,7 +118,7 @@ def write_table(path: Path, variants: Iterable[Variant], course: Course) -> None
         course: whose variants they are; it decides the columns.
 
     Raises:
-        TableError: the name says neither.
+        TableError: the name says neither, or the table would be larger than any that is read.
     """
     listed = tuple(variants)
     match path.suffix.lower():
@@ -147,7 +149,10 @@ def _write_csv(path: Path, listed: tuple[Variant, ...], course: Course) -> None:
     ]
     text = io.StringIO(newline="")
     csv.writer(text, lineterminator="\n").writerows([header, *rows])
-    write_bytes(path, text.getvalue().encode("utf-8-sig"))
+    content = text.getvalue().encode("utf-8-sig")
+    lines = len(rows) + 1
+    expect_readable(path, lines, len(header), Room(lines * len(header), MOST_CELLS), len(content))
+    write_bytes(path, content)
 
 
 def _heading(quantity: Quantity) -> str:

@@ -11,11 +11,13 @@ from gripcourse.course.option_sets import pair_option_sets
 from gripcourse.course.quantity import Kind, Quantity
 from gripcourse.machine.files import replacing
 from gripcourse.machine.spreadsheet.table_page import set_table_page
+from gripcourse.machine.table_bounds import MOST_OF_WORKBOOK
 from gripcourse.text.units import unit_text
 from gripcourse.text.words import Words, message
 from gripcourse.variants.cells import converted
 from gripcourse.variants.headings import Vocabulary, given_quantities, table_vocabulary
 from gripcourse.variants.model import Variant
+from gripcourse.variants.readable import Room, expect_readable
 
 if TYPE_CHECKING:
     from xlsxwriter import Workbook
@@ -43,10 +45,16 @@ class _Column:
 
 
 def write_table_workbook(path: Path, variants: Sequence[Variant], course: Course) -> None:
-    """Write variants into the first sheet of a workbook; see `table.write_table`."""
+    """Write variants into the first sheet of a workbook; see `table.write_table`.
+
+    Raises:
+        TableError: it would be larger than any that is read.
+    """
     import xlsxwriter  # noqa: PLC0415 (not for tables as CSV)
 
     columns = tuple(_columns(variants, course))
+    room = Room(_cells(columns, len(variants)), MOST_OF_WORKBOOK)
+    expect_readable(path, len(variants) + 1, len(columns), room)
     with replacing(path) as temporary, xlsxwriter.Workbook(str(temporary)) as book:
         sheet = book.add_worksheet(Words(course.language).say(message("Variants"))[:31])
         lists = book.add_worksheet(_LISTS)
@@ -64,6 +72,16 @@ def write_table_workbook(path: Path, variants: Sequence[Variant], course: Course
                 _offer(sheet, lists, place, column.choices, len(variants))
         sheet.freeze_panes(1, 1)
         set_table_page(sheet, in_front=1)
+
+
+def _cells(columns: Sequence[_Column], rows: int) -> int:
+    """Count the cells: the headings, and of each row those as far as its last."""
+    last = [0] * rows
+    for number, column in enumerate(columns, start=1):
+        last = [
+            was if cell is None else number for was, cell in zip(last, column.cells, strict=True)
+        ]
+    return len(columns) + sum(last)
 
 
 def declared_units(course: Course) -> dict[tuple[str, str], str]:

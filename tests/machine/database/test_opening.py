@@ -119,7 +119,6 @@ class TestRefusals:
         "place",
         [
             "postgresql+psycopg://user@127.0.0.1:1/course?colour=red",
-            "postgresql+psycopg://user@127.0.0.1:1/course?connect_timeout=soon",
             "postgresql+psycopg://user@127.0.0.1:1/course?plugin=colour",
             "sqlite:///gradebook.sqlite?mode=ro",
         ],

@@ -149,7 +149,10 @@ def test_a_zip_that_is_named_is_looked_into(tmp_path: Path) -> None:
 
 WORKBOOK = archive(PARTS)
 TEXT = archive({"[Content_Types].xml": b"<Types/>", "word/document.xml": b"<w/>"})
-OPEN_DOCUMENT = archive({"mimetype": b"application/vnd.oasis.opendocument.spreadsheet"}, ZIP_STORED)
+OPEN_DOCUMENT = archive(
+    {"mimetype": b"application/vnd.oasis.opendocument.spreadsheet", "content.xml": b"<x/>"},
+    ZIP_STORED,
+)
 NO_WORKBOOK_EITHER = {
     "a.docx": TEXT,
     "b.zip": archive({"answers.xlsx": WORKBOOK}),

@@ -20,6 +20,7 @@ from sqlalchemy.pool import NullPool, StaticPool
 
 from gripcourse.errors import NextStep
 from gripcourse.machine.database.migrate import NEWEST, REVISIONS, bring_up, revision_of
+from gripcourse.machine.database.option_values import refuse_values
 from gripcourse.machine.database.said import (
     another_was_faster,
     failure,
@@ -135,6 +136,8 @@ def _refuse_options(url: URL) -> None:
     refused = [one for one in url.query if one == _PLUGIN or url.get_backend_name() == "sqlite"]
     if refused:
         raise wrong_options(without_password(url), f'invalid connection option "{refused[0]}"')
+    if url.get_backend_name() == _POSTGRESQL:
+        refuse_values(url)
 
 
 def _file_of(url: URL) -> Path | None:

@@ -13,6 +13,7 @@ from collections import Counter
 from collections.abc import Callable, Sequence
 from typing import Final, TypeVar
 
+from gripcourse.machine.spreadsheet.open_document_scan import check_open_document
 from gripcourse.machine.spreadsheet.package import Package, part_name
 from gripcourse.machine.spreadsheet.refusals import WhyRefused
 from gripcourse.machine.spreadsheet.xml_scan import Bounds, RefusedError, XmlScan
@@ -38,6 +39,8 @@ TABLE: Final = Bounds(
 _METHODS: Final = frozenset({zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED})
 _CHUNK: Final = 1 << 16
 
+_SHORT: Final = 128  # bytes
+_OPEN_DOCUMENT: Final = b"opendocument"
 _WORKBOOK: Final = "/workbook.xml"
 _OLE: Final = b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1"
 _ENCRYPTED: Final = "EncryptedPackage".encode("utf-16-le")
@@ -139,7 +142,7 @@ def _read_archive(data: bytes, read: Callable[[Package], Made], bounds: Bounds) 
     with zipfile.ZipFile(io.BytesIO(data)) as archive:
         members = archive.infolist()
         _check_directory(members)
-        _check_kind({part_name(member.filename) for member in members}, archive)
+        _check_kind({part_name(member.filename) for member in members}, archive, bounds)
         package = Package(archive, XmlScan(bounds))
         made = read(package)
         package.check_others()
@@ -200,11 +203,12 @@ def _check_directory(members: Sequence[zipfile.ZipInfo]) -> None:
         raise RefusedError(WhyRefused.FOREIGN_CONTENT)
 
 
-def _check_kind(names: set[str], archive: zipfile.ZipFile) -> None:
+def _check_kind(names: set[str], archive: zipfile.ZipFile, bounds: Bounds) -> None:
     """Tell other documents that are zip archives too."""
     if any(name.endswith(_WORKBOOK) for name in names):  # programs disagree about its folder
         return
-    if "mimetype" in names and b"opendocument" in archive.read("mimetype"):
+    if "mimetype" in names and _OPEN_DOCUMENT in _beginning(archive, "mimetype"):
+        check_open_document(archive, bounds)
         raise RefusedError(WhyRefused.OPEN_DOCUMENT)
     if "xl/workbook.bin" in names:
         raise RefusedError(WhyRefused.XLSB)
@@ -214,3 +218,11 @@ def _check_kind(names: set[str], archive: zipfile.ZipFile) -> None:
         raise RefusedError(WhyRefused.TEXT_DOCUMENT)
     if not any(name.startswith("xl/") for name in names):
         raise RefusedError(WhyRefused.NO_WORKBOOK)
+
+
+def _beginning(archive: zipfile.ZipFile, name: str) -> bytes:
+    """Return what a short member begins with; nothing where it is called otherwise by letter."""
+    if name not in archive.namelist():
+        return b""
+    with archive.open(name) as stream:
+        return stream.read(_SHORT)
