@@ -129,6 +129,18 @@ class TestCertainty:
         assert total > 40
         assert named <= 0.03 * total
 
+    def test_an_entry_of_a_table_that_is_read_between_its_rows_is_met_by_chance(
+        self, v_belt: "Case", typed: "Typed"
+    ) -> None:
+        """Written in hundredths, every fourth number above 1 is one: further digits tell."""
+        name = "length_factor"
+        entries = [float(one) for one in v_belt.plan.columns["v_length_factor.factor"].values]
+        others = [one for one in entries[:-1] if one > 1.05 * v_belt.reference[name]]
+        assert len(others) > 1
+        for figures, outcome in ((3, Outcome.WRONG), (5, Outcome.SLIP)):
+            for wrong in others:
+                assert finding(v_belt, name, typed(name, wrong, figures)).outcome is outcome
+
     def test_two_methods_that_no_number_tells_apart_are_both_named(
         self, hydraulic: "Case", typed: "Typed"
     ) -> None:
