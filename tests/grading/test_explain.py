@@ -10,6 +10,7 @@ from gripcourse.formula.parse import parse
 from gripcourse.formula.tree import Formula
 from gripcourse.grading.model import Against, Finding, Outcome
 from gripcourse.submission.model import Answer
+from gripcourse.text.words import LANGUAGES, Texts
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -28,6 +29,11 @@ def answer(read_answer: "Callable[..., Answer]") -> "Callable[..., Answer]":
 def finding(case: "Case", name: str, answer: Answer) -> Finding:
     """Judge one wrong answer among right ones."""
     return case.findings({**case.answers, name: answer})[name]
+
+
+def said(text: str) -> Texts:
+    """Make a hint that reads the same in each language."""
+    return Texts(dict.fromkeys(LANGUAGES, text))
 
 
 @pytest.mark.filterwarnings("error")
@@ -59,6 +65,9 @@ class TestTypedPrecision:
         cut = float(np.floor(slip / 10) * 10)
         assert cut != slip
         assert finding(hydraulic, "grip_force", typed("grip_force", cut, 3)).slip
+        beyond = float(np.ceil(slip / 10) * 10)  # nobody comes to more by cutting off
+        assert beyond - slip > 5  # half a unit of the last digit
+        assert not finding(hydraulic, "grip_force", typed("grip_force", beyond, 3)).slip
 
     def test_the_rounding_of_earlier_answers_widens_the_match(
         self, hydraulic: "Case", typed: "Typed"
@@ -120,23 +129,33 @@ class TestCertainty:
         assert total > 40
         assert named <= 0.03 * total
 
+    def test_an_entry_of_a_table_that_is_read_between_its_rows_is_met_by_chance(
+        self, v_belt: "Case", typed: "Typed"
+    ) -> None:
+        """Written in hundredths, every fourth number above 1 is one: further digits tell."""
+        name = "length_factor"
+        entries = [float(one) for one in v_belt.plan.columns["v_length_factor.factor"].values]
+        others = [one for one in entries[:-1] if one > 1.05 * v_belt.reference[name]]
+        assert len(others) > 1
+        for figures, outcome in ((3, Outcome.WRONG), (5, Outcome.SLIP)):
+            for wrong in others:
+                assert finding(v_belt, name, typed(name, wrong, figures)).outcome is outcome
+
     def test_two_methods_that_no_number_tells_apart_are_both_named(
         self, hydraulic: "Case", typed: "Typed"
     ) -> None:
         quantity = hydraulic.plan.quantities["grip_force"]
         text = "2*(dynamic_factor*lifting_load/(2*friction))"
-        twin = replace(quantity.slips[0], id="twin", formula=Formula(text, parse(text), {}))
-        plan = replace(
-            hydraulic.plan,
-            quantities={
-                **hydraulic.plan.quantities,
-                "grip_force": replace(quantity, slips=(*quantity.slips, twin)),
-            },
-        )
+        formula, own = Formula(text, parse(text), {}), quantity.slips[0]
         slip = 2 * hydraulic.reference["grip_force"]
-        found = finding(replace(hydraulic, plan=plan), "grip_force", typed("grip_force", slip, 5))
-        assert {str(one) for one in (found.slip, *found.tied)} == {"one_jaw_only", "twin"}
-        assert "Or:" in str(found.message)
+        for hint, sentences in ((said("Another."), 2), (own.hint, 1)):  # nothing is said twice
+            twin = replace(own, id="twin", formula=formula, hint=hint)
+            changed = replace(quantity, slips=(*quantity.slips, twin))
+            quantities = {**hydraulic.plan.quantities, "grip_force": changed}
+            case = replace(hydraulic, plan=replace(hydraulic.plan, quantities=quantities))
+            found = finding(case, "grip_force", typed("grip_force", slip, 5))
+            assert {str(one) for one in (found.slip, *found.tied)} == {"one_jaw_only", "twin"}
+            assert str(found.message).count("Or:") == sentences - 1
 
     def test_of_methods_that_a_number_does_not_tell_apart_all_are_named_that_it_takes(
         self, hydraulic: "Case", typed: "Typed"
@@ -149,7 +168,12 @@ class TestCertainty:
             name: f"{by}*({right.text})" for name, by in (("a", 3), ("b", 3.0001), ("c", 2.9999))
         }
         alike = tuple(
-            replace(quantity.slips[0], id=name, formula=Formula(text, parse(text), {}))
+            replace(
+                quantity.slips[0],
+                id=name,
+                formula=Formula(text, parse(text), {}),
+                hint=said(f"Method {name}."),
+            )
             for name, text in texts.items()
         )
         for count, named in ((1, 1), (2, 2), (3, 3)):

@@ -147,3 +147,20 @@ def test_what_another_honest_reading_gives_is_told_from_nothing_right(
         typed_so = replace(done, steps={**done.steps, name: replace(step, typed=value)})
         assert effect(ground, name, typed_so) is seen
     assert float(read) > 1.05 * float(step.right)
+
+
+def test_a_second_mistake_that_undoes_the_first_is_told_from_nothing_right(
+    plan: Plan, given: dict[str, float], policy: Policy
+) -> None:
+    """Nobody sees a wrong force in what was computed with the right one, wherever it came from."""
+    ground = make_ground(plan, policy, lambda _: (), hand(), given, 2.0)
+    right = calculate(plan, given, hand(), {})
+    name = "lifting_load"
+    wrong = right.steps[name].typed / 2
+    copied = Deviation(ActionKind.COPIED, copied=float(wrong))
+    done = calculate(plan, given, hand(), {name: copied})
+    assert float(done.steps["grip_force"].right) < 0.6 * float(right.steps["grip_force"].right)
+    for times, seen in ((2.0, Effect.HIDDEN), (3.0, Effect.APART)):
+        step = replace(done.steps["grip_force"], typed=times * done.steps["grip_force"].right)
+        typed_so = replace(done, steps={**done.steps, "grip_force": step})
+        assert effect(ground, "grip_force", typed_so) is seen

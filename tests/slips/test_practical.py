@@ -4,12 +4,13 @@ import math
 
 import pytest
 
+from gripcourse.course.model import Course
 from gripcourse.formula.evaluate import evaluate as value_of
 from gripcourse.policy.model import Policy
 from gripcourse.policy.slips import SlipKind
 from gripcourse.slips.candidates import candidates_of
 from gripcourse.slips.practical import practical_ratio
-from gripcourse.solver.plan import Plan
+from gripcourse.solver.plan import Plan, make_plan
 from gripcourse.solver.solve import evaluate, to_si
 from gripcourse.text.units import dimension
 
@@ -46,3 +47,26 @@ def test_square_millimetres_written_as_millimetres_are_among_the_candidates(
     ]
     results = [float(value_of(one.formula, "mm", values, plan.columns)) * 1e3 for one in found]
     assert any(math.isclose(one, typed, rel_tol=1e-9) for one in results)
+
+
+def test_a_forgotten_square_beside_an_entry_of_a_table_is_found_in_megapascals(
+    course: Course, policy: Policy
+) -> None:
+    """The stress of a screw: its core diameter stands in a table, in millimetres."""
+    example = course.schemes["screw"].example
+    assert example is not None
+    plan = make_plan(course, "screw", example.options)
+    given = {one.id: example.given[one.id] for one in plan.givens}
+    values = {name: float(one) for name, one in evaluate(plan, to_si(plan, given)).values.items()}
+    core = plan.columns["trapezoidal_thread.core_diameter"]
+    [row] = (core.sizes == values["thread_diameter_first"]).nonzero()[0]
+    diameter = 1e3 * float(core.values[row])
+    pull = 4 * values["nut_force"] / (math.pi * diameter**2)
+    twist = 16 * 1e3 * values["screw_torque_first"] / (math.pi * diameter**3)
+    found = [
+        1e-6 * float(value_of(one.formula, "MPa", values, plan.columns))
+        for one in candidates_of(plan, "screw_stress", policy.slips)
+        if one.id.kind == SlipKind.POWER
+    ]
+    for typed in (math.sqrt(pull + 3 * twist**2), math.sqrt(pull**2 + 3 * twist)):
+        assert any(math.isclose(one, typed, rel_tol=1e-9) for one in found)

@@ -163,7 +163,7 @@ def _with_slip(comparison: Comparison, judgement: Judgement, explanation: Explan
 
 def _said(comparison: Comparison, explanation: Explanation) -> Message:
     hint = explanation.likeliest.candidate.hint
-    match explanation.tied:
+    match _said_otherwise(explanation):
         case (other, *_) if other.of != comparison.quantity.id:
             return message(
                 "One of two known slips. {hint} Or, in a step that you left blank, {title}: "
@@ -186,9 +186,22 @@ def _said(comparison: Comparison, explanation: Explanation) -> Message:
     return message("A known slip: {hint}", hint=hint)
 
 
+def _said_otherwise(explanation: Explanation) -> tuple[Weighed, ...]:
+    """Return the tied methods of which more is to be said than of those before them.
+
+    A wrong sign in one place of a formula and in another are one sentence.
+    """
+    said, others = [explanation.likeliest], []
+    for one in explanation.tied:
+        if all(one.of != other.of or one.candidate.hint != other.candidate.hint for other in said):
+            others.append(one)
+            said.append(one)
+    return tuple(others)
+
+
 def _said_of_earlier(comparison: Comparison, explanation: Explanation) -> Message:
     quantities = comparison.plan.quantities
-    methods = (explanation.likeliest, *explanation.tied)
+    methods = (explanation.likeliest, *_said_otherwise(explanation))
     return said_of_blank([(quantities[one.of], one.candidate) for one in methods])
 
 

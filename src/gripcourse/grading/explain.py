@@ -11,11 +11,13 @@ from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import Final
 
+from gripcourse.formula.tree import Call
 from gripcourse.grading.comparison import Comparison, ExpectedRange
 from gripcourse.grading.rounding import typed_half_unit, without_zeros
 from gripcourse.grading.shortened import with_shortened
 from gripcourse.policy.slips import OF_WRITING, SlipKind, SlipPolicy
 from gripcourse.slips.model import Candidate
+from gripcourse.text.units import factor
 
 # The last digits of a number differ by the route: 3.14159 for pi.
 _FINEST: Final = 5e-6
@@ -154,7 +156,7 @@ def conclude(
     met = [one for one in weighed if one.weight > 0]
     if not met:
         return None
-    total = rival + _weight_of(met) + unexplained(comparison) * policy.unexplained
+    total = rival + _weight_of(met) + _by_no_method(comparison) * policy.unexplained
     groups = sorted(_alike(met), key=_weight_of, reverse=True)
     if _weight_of(groups[0]) / total >= policy.certain:
         return _named(comparison, groups[0])
@@ -197,13 +199,15 @@ def _as_typed(comparison: Comparison, result: ExpectedRange) -> float:
 
 
 def _density(comparison: Comparison, result: ExpectedRange, half_unit: float) -> float:
-    distance = abs(comparison.value - result.nearest(comparison.value))
+    nearest = result.nearest(comparison.value)
+    distance = abs(comparison.value - nearest)
     width = result.high - result.low
     cut = 2 * half_unit * comparison.policy.last_digit
     slack = _SLACK * abs(comparison.value)
     if distance <= half_unit + slack:
         return _ROUNDED / (width + 2 * half_unit)
-    if distance <= cut + slack:
+    # What is cut off is written nearer to zero than it is.
+    if distance <= cut + slack and abs(comparison.value) < abs(nearest):
         return _CUT_OFF / (width + 2 * cut)
     return 0.0
 
@@ -223,6 +227,22 @@ def unexplained(comparison: Comparison) -> float:
     spread = comparison.policy.slips.spread
     away = min(abs(math.log(size / right) / spread), _FARTHEST)
     return math.exp(-away * away / 2) / (2 * size * spread * math.sqrt(2 * math.pi))
+
+
+def _by_no_method(comparison: Comparison) -> float:
+    """Return how densely numbers lie at an answer that come of no wrong method.
+
+    Some may be anywhere. Where a table is read between its rows, as many again are read at a wrong
+    place: they are any of the numbers between its entries, and often one of the entries.
+    """
+    anywhere, formula = unexplained(comparison), comparison.quantity.formula
+    match None if formula is None else formula.tree:
+        case Call("interpolate", _, str(column)):
+            entries = comparison.plan.columns[column].values / factor(comparison.quantity.unit)
+            least, most = float(entries.min()), float(entries.max())
+            if least <= comparison.value <= most and least < most:
+                return anywhere + 1 / (most - least)
+    return anywhere
 
 
 def density_alone(

@@ -139,10 +139,30 @@ def _right_values(ground: Ground, quantity: Quantity, done: Calculation) -> Iter
     scale = factor(quantity.unit)
     yield float(done.steps[quantity.id].right)
     yield float(ground.reference[quantity.id]) / scale
+    formula = ground.plan.reference_formula(quantity.id)
+    if formula is not None:
+        for values in _as_they_stand(ground, quantity, done):
+            yield _value(ground, quantity, formula, values)
     printed = [one.formula for one in quantity.as_printed if one.formula is not None]
     for formula in (*printed, *(one.formula for one in quantity.alternatives)):
         yield _value(ground, quantity, formula, done.values)
         yield _value(ground, quantity, formula, ground.reference)
+
+
+def _as_they_stand(ground: Ground, quantity: Quantity, done: Calculation) -> Iterator[Values]:
+    """Yield other numbers that the right method may be seen to go on with.
+
+    Those in the cells, where the calculator holds others; and for one that is wrong the right one:
+    a second mistake that undoes the first leaves a number in which nobody can see either.
+    """
+    written = {
+        name: done.steps[name].typed * factor(ground.plan.quantities[name].unit)
+        for name in ground.plan.inputs[quantity.id]
+        if name in done.steps
+    }
+    yield {**done.values, **written}
+    for name in written:
+        yield {**done.values, name: ground.reference[name]}
 
 
 def _value(ground: Ground, quantity: Quantity, formula: Formula, values: Values) -> float:

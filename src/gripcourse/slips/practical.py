@@ -11,8 +11,10 @@ from typing import Final
 
 from gripcourse.formula.dimension import measured_by
 from gripcourse.formula.fault import FormulaFault
-from gripcourse.formula.tree import Call, Name, Node, names, walk
-from gripcourse.slips.rewrite import renamed, scaled
+from gripcourse.formula.functions import FUNCTIONS
+from gripcourse.formula.rules import ColumnDimensions
+from gripcourse.formula.tree import Call, Name, Node, walk
+from gripcourse.slips.rewrite import everywhere, scaled
 from gripcourse.slips.surroundings import Rewritten, Surroundings
 from gripcourse.text.units import PLAIN, Dimension, dimension
 
@@ -30,8 +32,7 @@ def in_practical_units(around: Surroundings, made: Iterable[Rewritten]) -> Itera
         if found is None:
             tree = _computed_practically(around, one.tree)
         else:
-            ratio = practical_ratio(asked, found)
-            tree = one.tree if ratio == 1.0 else scaled(one.tree, ratio)
+            tree = _times(one.tree, practical_ratio(asked, found))
         if tree != one.tree:
             yield replace(one, detail=f"{one.detail},mm", tree=tree)
 
@@ -39,17 +40,43 @@ def in_practical_units(around: Surroundings, made: Iterable[Rewritten]) -> Itera
 def _computed_practically(around: Surroundings, tree: Node) -> Node:
     """Return a sum of unlike things with every number in practical units, as 50² − 20 in mm.
 
-    It stays as it is where it reads a table, whose entries have units of their own.
+    What a table says is taken in practical units too; its rows are found as they are printed.
     """
-    if any(isinstance(node, Call) and node.column is not None for node in walk(tree)):
-        return tree
-    sizes = {
-        name: practical_ratio(dimension(around.quantities[name].unit), PLAIN)
-        for name in names(tree)
-    }
-    inside = {name: scaled(Name(name), 1 / size) for name, size in sizes.items() if size != 1.0}
+    columns = _columns_of(around, tree)
+
+    def practical(node: Node) -> Node:
+        match node:
+            case Name(name) if name in around.quantities:
+                return _in_practical(node, dimension(around.quantities[name].unit))
+            case Call(function, (at,), str(column)):
+                given = FUNCTIONS[function].rule(node, (None,), columns[column]) or PLAIN
+                size, value = columns[column]
+                wanted = size if given == value else value
+                row = _times(at, practical_ratio(wanted, PLAIN))
+                return _in_practical(replace(node, arguments=(row,)), given)
+        return node
+
     asked = practical_ratio(dimension(around.quantity.unit), PLAIN)
-    return scaled(renamed(tree, dict(inside)), asked) if inside or asked != 1.0 else tree
+    return _times(everywhere(tree, practical), asked)
+
+
+def _in_practical(node: Node, measured: Dimension) -> Node:
+    return _times(node, 1 / practical_ratio(measured, PLAIN))
+
+
+def _times(node: Node, ratio: float) -> Node:
+    return node if ratio == 1.0 else scaled(node, ratio)
+
+
+def _columns_of(around: Surroundings, tree: Node) -> Mapping[str, ColumnDimensions]:
+    """Return what the columns that a formula reads measure."""
+    found: dict[str, ColumnDimensions] = {}
+    for node in walk(tree):
+        if isinstance(node, Call) and node.column is not None:
+            catalogue, _, name = node.column.partition(".")
+            units = around.catalogues[catalogue].units
+            found[node.column] = (dimension(next(iter(units.values()))), dimension(units[name]))
+    return found
 
 
 def practical_ratio(asked: Dimension, found: Dimension) -> float:
@@ -69,6 +96,6 @@ def _dimension_of(around: Surroundings, tree: Node) -> Dimension | None:
     """Return what a wrong formula measures; None for nothing, or for a sum of unlike things."""
     known = {name: dimension(one.unit) for name, one in around.quantities.items()}
     try:
-        return measured_by(tree, known, {})
+        return measured_by(tree, known, _columns_of(around, tree))
     except FormulaFault:
         return None

@@ -227,13 +227,17 @@ def _names(found: Finding) -> AbstractSet[object]:
 
 
 def _is_right_name(one: JudgedForeign, found: Finding) -> bool:
-    """Tell whether a name is the mistake's, or one that comes to the very same number."""
+    """Tell whether a name is the mistake's, or one that comes to the very same number.
+
+    In an answer where a mistake of a blank step shows, only the latter.
+    """
     done = one.work.done
-    if done is None or found.quantity not in one.work.reaches:
+    if done is None:
         return False
+    here = found.quantity in one.work.reaches
     kinds = MISTAKES[done.kind].names
     return any(
-        (slip.kind in kinds and (slip.kind != USED or slip.detail == done.root))
+        (here and slip.kind in kinds and (slip.kind != USED or slip.detail == done.root))
         or (found.quantity, slip) in one.twins
         for slip in (found.slip, *found.tied)
         if slip is not None

@@ -12,6 +12,7 @@ from gripcourse.grading.model import Report
 from gripcourse.simulation.foreign.kinds import Writing
 from gripcourse.simulation.foreign.model import ForeignWork
 from gripcourse.simulation.foreign.practical import size_of
+from gripcourse.simulation.foreign.student import calculate
 from gripcourse.simulation.foreign.writing import written
 from gripcourse.slips.model import SlipId
 from gripcourse.solver.plan import Plan
@@ -54,12 +55,12 @@ def _found(
     same = max(_SAME, _POWERS_OF_PI * abs(work.habits.pi / math.pi - 1))
     for finding in report.findings:
         name, done = finding.quantity, work.done
-        if finding.slip is None or done is None or name not in work.reaches:
+        if finding.slip is None or done is None or name not in work.reaches | work.shown:
             continue
         quantity = plan.quantities[name]
         made = done.number if done.root == name and done.tree is None else math.nan
         wrong = work.calculated.found[name] if math.isnan(made) else made
-        values = _values(plan, given, work)
+        values = _values(plan, given, work, name)
         for candidate in candidates_of(name):
             if candidate.id in {finding.slip, *finding.tied}:
                 at = {one: values.get(one, np.asarray(np.nan)) for one in candidate.formula.names}
@@ -81,12 +82,18 @@ def is_written_as(value: float, number: float, writing: Writing) -> bool:
 
 
 def _values(
-    plan: Plan, given: Mapping[str, float], work: ForeignWork
+    plan: Plan, given: Mapping[str, float], work: ForeignWork, name: str
 ) -> dict[str, NDArray[np.float64]]:
-    """Return what the student computed with, SI, but for the number that was used wrongly."""
+    """Return what the student computed an answer with, SI, but for what was wrong before it.
+
+    Where the step of the mistake is blank, it shows first in answers whose own method is right.
+    """
+    held = work.calculated.held
+    if name not in work.reaches:
+        held = calculate(plan, given, work.habits).held
     declared = {
         one: number / size_of(plan.quantities[one].unit)
-        for one, number in work.calculated.held.items()
+        for one, number in held.items()
         if one in plan.quantities
     }
     done = work.done
