@@ -11,7 +11,7 @@ from gripcourse.errors import Problem, UsageError
 from gripcourse.policy.time_rules import zone_of
 from gripcourse.text.words import message
 from gripcourse.usecases.serving.desk import DeskContext
-from gripcourse.usecases.serving.hand_in import CollectedHandIn, collect_hand_ins
+from gripcourse.usecases.serving.hand_in import CollectedFile, collect_hand_ins
 from gripcourse.usecases.serving.taken import hand_ins_by_person
 
 # Hidden: no backup carries what was only collected.
@@ -56,7 +56,7 @@ def begin_grading(
 
 
 def _handed_in_again(
-    context: DeskContext, collected: Mapping[Path, CollectedHandIn]
+    context: DeskContext, collected: Mapping[Path, CollectedFile]
 ) -> Iterator[str]:
     """Say when those works came of which the student had handed in the same bytes before.
 

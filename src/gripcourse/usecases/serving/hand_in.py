@@ -191,14 +191,14 @@ def name_in_folder(one: HandIn, student: str) -> str:
 
 
 @dataclass(frozen=True, slots=True)
-class CollectedHandIn:
+class CollectedFile:
     """A file that was handed in, and the id that stands for who did."""
 
     hand_in: HandIn
     student: str
 
 
-def collect_hand_ins(context: DeskBooks, out: Path) -> Mapping[Path, CollectedHandIn]:
+def collect_hand_ins(context: DeskBooks, out: Path) -> Mapping[Path, CollectedFile]:
     """Write the workbooks that may count into a folder, for grading.
 
     One of a student is called like the student; several stand in a folder that is, numbered in the
@@ -212,7 +212,7 @@ def collect_hand_ins(context: DeskBooks, out: Path) -> Mapping[Path, CollectedHa
         OSError: a file cannot be read or written.
     """
     make_private_folder(out)
-    written: dict[Path, CollectedHandIn] = {}
+    written: dict[Path, CollectedFile] = {}
     hand_ins = hand_ins_by_person(context.desk, context.joins())
     for student, works in may_count(context, hand_ins).items():
         joined = any(one.student != student for one in works)
@@ -227,7 +227,7 @@ def collect_hand_ins(context: DeskBooks, out: Path) -> Mapping[Path, CollectedHa
             write_bytes(path, kept_path(context, one.digest).read_bytes(), private=True)
             # Lateness is counted from when it was handed in, not from when it was collected.
             os.utime(path, (one.at.timestamp(),) * 2)
-            written[path] = CollectedHandIn(one, student)
+            written[path] = CollectedFile(one, student)
     return written
 
 
