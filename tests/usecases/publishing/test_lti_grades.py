@@ -19,10 +19,13 @@ from gripcourse.access.lti.tool_key import make_tool_key, read_tool_keys
 from gripcourse.access.lti.web_client import make_client
 from gripcourse.cli import main as cli
 from gripcourse.exports.report_result import GradesResult, ReportResult
+from gripcourse.issuing.withdrawal import Withdrawal
+from gripcourse.machine.database.home import home_of
 from gripcourse.machine.database.moments import stored
 from gripcourse.machine.database.opening import writing
 from gripcourse.policy.model import Policy
 from gripcourse.usecases.grading.batch_tables import GRADES_CSV, GRADES_JSON
+from gripcourse.usecases.marks.withdraw import withdraw as join_ids
 from gripcourse.usecases.publishing.lti_grades import ScoreFate, ScoreOrder, send_grades
 from gripcourse.usecases.publishing.publish import publish, withdraw
 from gripcourse.usecases.serving.lti import store_of
@@ -199,6 +202,31 @@ def test_what_an_outage_left_is_sent_by_the_next_time(school: LtiCourse, tmp_pat
     }
     users = [one["userId"] for _, one in platform.scores]
     assert users == ["user-anna", "user-oksana", "user-s04", "user-s03"]
+
+
+def join(school: LtiCourse, student: str, same_as: str) -> None:
+    root = school.context.course.root
+    joined = Withdrawal(student, same_as, False, "One person", "Dr. Ray", BEGAN)
+    join_ids(joined, root, home_of(root))
+
+
+def test_the_result_of_a_person_of_two_ids_goes_to_whom_the_platform_knows_by_either(
+    school: LtiCourse, tmp_path: Path
+) -> None:
+    join(school, "s02", same_as="s03")
+    release(school, tmp_path, report("s01", 1), report("s03", 9))
+    assert sent_by(school)["s03"] is ScoreFate.SENT
+    assert [one["userId"] for _, one in school.platform.scores] == ["user-anna", "user-oksana"]
+    assert sent_by(school)["s03"] is ScoreFate.UNCHANGED
+
+
+def test_two_users_of_the_platform_who_were_joined_get_no_grade_that_is_guessed(
+    school: LtiCourse, tmp_path: Path
+) -> None:
+    join(school, "s02", same_as="s01")
+    release(school, tmp_path, report("s01", 1))
+    assert sent_by(school)["s01"] is ScoreFate.FAILED
+    assert school.platform.scores == []
 
 
 def test_a_student_whom_two_claim_gets_no_grade(
