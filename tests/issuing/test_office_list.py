@@ -292,7 +292,7 @@ def test_only_a_known_role_of_staff_leaves_anybody_out(role: str, stays: bool) -
 
 def test_a_group_in_a_row_of_its_own_is_that_of_the_people_below() -> None:
     roster = listed(
-        "№;ФИО;Зач. кн.",
+        "№;ФИО;Зач. кн. №",
         ";Группа РТК-41;",
         "1;Иванов Иван;11",
         "2;Петров Пётр;12",

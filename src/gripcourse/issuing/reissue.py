@@ -5,17 +5,19 @@ from dataclasses import dataclass, replace
 from functools import reduce
 from typing import TypeAlias
 
+from gripcourse.course.quantity import Quantity
 from gripcourse.errors import Problem, UsageError
 from gripcourse.issuing.allotment import Extended, Terms, holders_of, named_as_issued
 from gripcourse.issuing.register import Register
 from gripcourse.issuing.signature import sign
 from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.words import Message, Texts, message
+from gripcourse.variants.explain import with_unit
 from gripcourse.variants.model import Issued, Variant
 from gripcourse.variants.names import find_variant
 
-TitleOf: TypeAlias = Callable[[Variant, str], Texts | str]
-"""What a given quantity of a variant is called, by its id."""
+QuantityOf: TypeAlias = Callable[[Variant, str], Quantity | None]
+"""What a given quantity of a variant is declared to be, by its id; None where nobody knows it."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,7 +42,7 @@ def reissue(
     correction: Correction,
     variants: Sequence[Variant],
     terms: Terms,
-    title_of: TitleOf = lambda _, quantity: quantity,
+    quantity_of: QuantityOf = lambda *_: None,
 ) -> Extended:
     """Put a new version in the place of what students were issued; the old one stays beside it.
 
@@ -52,7 +54,7 @@ def reissue(
         correction: to whom, and why.
         variants: the table.
         terms: of the new versions; without a deadline everybody's own is kept.
-        title_of: what quantities are called in the notes; by their ids where nothing is said.
+        quantity_of: what quantities are, for the notes; they have their ids where nothing is said.
 
     Returns:
         The register with the new versions, and a note for each student that says what changed.
@@ -95,7 +97,7 @@ def reissue(
         (
             *renamed,
             *map(_said_again, again),
-            *(_said(known[student], entry, title_of) for student, entry in fresh.items()),
+            *(_said(known[student], entry, quantity_of) for student, entry in fresh.items()),
         ),
     )
 
@@ -202,7 +204,7 @@ def _said_again(entry: Issued) -> Message:
     )
 
 
-def _said(before: Issued, after: Issued, title_of: TitleOf) -> Message:
+def _said(before: Issued, after: Issued, quantity_of: QuantityOf) -> Message:
     """Say what a new version changes; of the same variant, which numbers."""
     old, new = before.variant, after.variant
     student, version = after.student.id, after.version
@@ -227,9 +229,9 @@ def _said(before: Issued, after: Issued, title_of: TitleOf) -> Message:
     changes = (
         message(
             "{quantity}: {before} → {after}",
-            quantity=title_of(new, name),
-            before=old.given.get(name, "—"),
-            after=new.given.get(name, "—"),
+            quantity=_called(name, quantity_of(new, name)),
+            before=_written(old.given.get(name), quantity_of(old, name)),
+            after=_written(new.given.get(name), quantity_of(new, name)),
         )
         for name in dict.fromkeys((*old.given, *new.given))
         if old.given.get(name) != new.given.get(name)
@@ -241,6 +243,16 @@ def _said(before: Issued, after: Issued, title_of: TitleOf) -> Message:
         variant=new.id,
         changes=reduce(_listed, changes),
     )
+
+
+def _called(name: str, quantity: Quantity | None) -> Texts | str:
+    return name if quantity is None else quantity.title
+
+
+def _written(value: float | None, quantity: Quantity | None) -> Message | float | str:
+    if value is None:
+        return "—"
+    return value if quantity is None else with_unit(value, quantity)
 
 
 def _listed(before: Message, after: Message) -> Message:

@@ -28,6 +28,7 @@ from gripcourse.variants.sheet import Sheet, SheetRow, column_name
 _LISTED: Final = 100  # names of columns, at most, of which it helps to be shown the first
 _REMEMBERED: Final = 4  # courses
 _WORD: Final = re.compile(r"[^\W_]+(?:'[^\W_]+)?|[№#]")
+_NUMBER_SIGNS: Final = frozenset("№#")
 _WITH_UNIT = (
     re.compile(r"(?P<name>.+?)\s*\[(?P<unit>[^\[\]]*)\]"),
     re.compile(r"(?P<name>.+?)\s*\((?P<unit>[^()]*)\)"),
@@ -308,8 +309,9 @@ def _unit(
 
 
 def _spoken(name: str) -> str:
-    """Return the words of a heading: offices put dots and commas between them as they like."""
-    return " ".join(_WORD.findall(plain(name)))
+    """Return the words of a heading: offices put dots, commas and number signs where they like."""
+    first, *words = _WORD.findall(plain(name)) or [""]
+    return " ".join([first, *words[: -1 if words and words[-1] in _NUMBER_SIGNS else None]])
 
 
 def _all(texts: Texts) -> tuple[str, ...]:

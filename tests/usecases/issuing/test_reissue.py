@@ -111,9 +111,9 @@ class TestDocuments:
     def test_the_instructor_reads_what_changed(self, term: Term) -> None:
         (note,) = term.issuing.notes
         assert [Words(one).say(note).split(". ")[1] for one in LANGUAGES] == [
-            "mass of the object: 60 → 58.5.",
-            "масса объекта: 60 → 58,5.",
-            "маса об’єкта: 60 → 58,5.",
+            "mass of the object: 60 kg → 58.5 kg.",
+            "масса объекта: 60 кг → 58,5 кг.",
+            "маса об’єкта: 60 кг → 58,5 кг.",
         ]
 
     def test_a_workbook_is_signed_for_its_version(self, term: Term) -> None:

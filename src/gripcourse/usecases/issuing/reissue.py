@@ -7,6 +7,7 @@ from functools import partial
 from pathlib import Path
 
 from gripcourse.course.model import Course
+from gripcourse.course.quantity import Quantity
 from gripcourse.errors import Problem, UsageError
 from gripcourse.gradebook.fingerprint import fingerprints
 from gripcourse.issuing.allotment import Extended, Terms
@@ -18,7 +19,7 @@ from gripcourse.machine.content import Readable
 from gripcourse.machine.files import make_private_folder
 from gripcourse.policy.model import Policy
 from gripcourse.solver.plan import plan_of
-from gripcourse.text.words import Texts, message
+from gripcourse.text.words import message
 from gripcourse.usecases.issuing.declarations import keep_declarations
 from gripcourse.usecases.issuing.handout import IssuingContext, issue_one
 from gripcourse.usecases.issuing.issue import (
@@ -93,7 +94,7 @@ def reissue_order(  # noqa: PLR0913 (the last two have usual values)
     variants = read_table(order.table, course)
 
     def change(register: Register) -> Extended:
-        return reissue(register, order.correction, variants, terms, partial(_title, course))
+        return reissue(register, order.correction, variants, terms, partial(_quantity, course))
 
     _refuse_infeasible(course, _fresh(change(before).register, order))
     # Before anything is kept: a folder that cannot be written must not cost a version.
@@ -107,9 +108,8 @@ def reissue_order(  # noqa: PLR0913 (the last two have usual values)
     return Issuing(write_handouts(context, entries, workers, on_done, issue_one), extended.notes)
 
 
-def _title(course: Course, variant: Variant, quantity: str) -> Texts | str:
-    declared = plan_of(course, variant.composition).quantities.get(quantity)
-    return quantity if declared is None else declared.title
+def _quantity(course: Course, variant: Variant, name: str) -> Quantity | None:
+    return plan_of(course, variant.composition).quantities.get(name)
 
 
 def _fresh(register: Register, order: CorrectedOrder) -> list[Issued]:
