@@ -14,7 +14,7 @@ MOST_ROWS: Final = 200_000
 MOST_COLUMNS: Final = 2_000
 # Of all rows, each as far as its last one: a hundred thousand people with a dozen columns each.
 MOST_CELLS: Final = 1_250_000
-MOST_OF_WORKBOOK: Final = 250_000  # cells of its visible sheets; each takes five times as long
+MOST_OF_WORKBOOK: Final = 200_000  # cells of its visible sheets; each takes five times as long
 LARGEST_TABLE: Final = 16_000_000  # bytes of a file
 ROWS_OF_A_SPREADSHEET: Final = 1 << 20
 _ENOUGH: Final = 1 << 18  # bytes from which an encoding is guessed
