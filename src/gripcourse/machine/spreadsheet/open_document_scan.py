@@ -22,9 +22,9 @@ from gripcourse.machine.spreadsheet.xml_scan import (
     RefusedError,
     refuse_declarations,
 )
+from gripcourse.machine.table_bounds import MOST_OF_WORKBOOK
 from gripcourse.text.number_text import is_lost
 
-MOST_REPEATED: Final = 250_000  # cells that hold anything, each as often as it is there
 _CONTENT: Final = "content.xml"
 _MANIFEST: Final = "META-INF/manifest.xml"
 _LONGEST_MANIFEST: Final = 1 << 20
@@ -78,7 +78,7 @@ class _CellCount:
 
     def __init__(self, bounds: Bounds) -> None:
         self._elements = bounds.elements
-        self._cells = MOST_REPEATED
+        self._cells = MOST_OF_WORKBOOK  # that hold anything, each as often as it is there
         self._sheets = MOST_SHEETS
         self._depth = self._rows = self._columns = 0
         self._names: dict[str, str] = {}
@@ -146,4 +146,4 @@ def _times(text: str | None) -> int:
     """Read how often something is there; what is no number of a sheet is too often."""
     if text is None:
         return 1
-    return whole_number(text) or MOST_REPEATED + 1
+    return whole_number(text) or MOST_OF_WORKBOOK + 1

@@ -64,20 +64,24 @@ def withdraw(wanted: Withdrawal, root: Path, place: str) -> Withdrawn:
     if not person:
         return Withdrawn(extended.notes)
     joins = joins_of((*before.withdrawals, wanted))
-    now = latest_marks(
-        one for one in marks_of_persons(entries, joins) if one.mark.student == person
-    )
+    marks = marks_of_persons(entries, joins)
     if wanted.undone:
-        own = marks_of_persons(entries, joins)
-        given = latest_marks(one for one in own if one.mark.student == wanted.student)
+        given = latest_marks(one for one in marks if one.mark.student == wanted.student)
         return Withdrawn((*extended.notes, *_given_back(wanted.student, given)))
+    counting = latest_marks(one for one in marks if one.mark.student == person)
     of_this = family({wanted.student}, joins)
-    carried = [name for name, one in now.items() if one.given_to in of_this]
+    carried = [name for name, one in counting.items() if one.given_to in of_this]
     disputed = tuple(
-        name for name, one in now.items() if any(other.given_to in of_this for other in one.rivals)
+        name
+        for name, one in counting.items()
+        if any(other.given_to in of_this for other in one.rivals)
     )
     return Withdrawn(
-        (*extended.notes, *_carried(wanted, carried), *(_dispute(now[name]) for name in disputed)),
+        (
+            *extended.notes,
+            *_carried(wanted, carried),
+            *(_dispute(counting[name]) for name in disputed),
+        ),
         disputed,
     )
 
