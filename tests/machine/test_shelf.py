@@ -36,6 +36,16 @@ def test_some_stand_in_the_place_of_others_and_those_before_stay() -> None:
     assert tuple(before) == VALUES
 
 
+def test_so_many_as_are_wanted_stay_in_memory_and_what_stands_in_their_place_does_not() -> None:
+    before = Shelved(VALUES, stay=3)
+    assert before[2] is before[2]
+    after = before.with_changes([(2, "changed")])
+    assert (after[2], before[2]) == ("changed", VALUES[2])
+    assert after[4] is before[4]
+    assert before[1] == VALUES[1]
+    assert before[1] is not before[1]
+
+
 def test_they_come_in_any_order() -> None:
     found = Shelved[object]().filled(len(VALUES), reversed(list(enumerate(VALUES))))
     assert tuple(found) == VALUES

@@ -1,15 +1,22 @@
 """What a batch is graded with; who gives works to workers need not know how they are judged."""
 
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from pathlib import PurePath
+from typing import Final
 
+from gripcourse.course.composition import Composition
 from gripcourse.course.model import Course
 from gripcourse.grading.identify import HandedIn, identify, named_by_person
 from gripcourse.grading.path_pattern import PathPattern
 from gripcourse.issuing.withdrawal import Join
+from gripcourse.machine.content import Readable, shown_name
 from gripcourse.policy.model import Policy
 from gripcourse.submission.model import Identity
 from gripcourse.variants.model import Issued
+
+_WORD: Final = re.compile(r"[^\W_]+")
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -57,3 +64,18 @@ def handed_in_by(file: str, identity: Identity | None, context: GradingContext) 
         return named_by_person(student, identity, context.register, context.earlier)
     known, earlier = context.register, context.earlier
     return identify(file, identity, known, context.pattern, earlier, context.joined)
+
+
+def likely_composition(source: Readable, context: GradingContext) -> Composition | None:
+    """Guess which composition a file is about, by its name alone; None where nothing tells.
+
+    Whoever judges works of one composition makes its wrong methods once. Nothing else follows from
+    a guess: whose a file is says `handed_in_by`.
+    """
+    file = shown_name(source)
+    path = PurePath(file)
+    words = (path.stem, path.parent.name, *_WORD.findall(path.stem), *_WORD.findall(file))
+    likely = (context.whose.get(file), *words)
+    known = (context.joined.get(one, one) for one in likely if one)
+    student = next((one for one in known if one in context.register), None)
+    return None if student is None else context.register[student].variant.composition

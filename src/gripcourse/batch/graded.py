@@ -26,6 +26,7 @@ class Graded:
 
 
 _NEWEST: Final = pickle.HIGHEST_PROTOCOL
+_STAY: Final = 2000  # in memory, without their findings: two kilobytes each
 
 Changes: TypeAlias = Iterable[tuple[int, Report]]
 """Reports that stand in the place of others, with their places in the batch."""
@@ -42,7 +43,7 @@ def on_a_shelf(graded: Iterable[Graded] = ()) -> Shelved[Graded]:
         incident, taken_over, *plain = pickle.loads(packed)  # noqa: S301 (written above)
         return Graded(shelf.report(tuple(plain)), incident, taken_over)
 
-    return Shelved(graded, dump=dump, load=load)
+    return Shelved(graded, dump=dump, load=load, stay=_STAY)
 
 
 def reports_of(graded: Sequence[Graded]) -> Sequence[Report]:

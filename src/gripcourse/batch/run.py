@@ -5,9 +5,10 @@ import logging
 from array import array
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
+from functools import partial
 from typing import Any, TypeAlias
 
-from gripcourse.batch.context import GradingContext, handed_in_by
+from gripcourse.batch.context import GradingContext, handed_in_by, likely_composition
 from gripcourse.batch.copies import like_others, solve_ahead
 from gripcourse.batch.doubts import in_doubt
 from gripcourse.batch.duplicates import doubles
@@ -123,6 +124,7 @@ class _Grading:
         jobs = run_each(
             _grade, Viewed(left, self.files.__getitem__), self.job, workers=self.workers,
             seconds=self.seconds, pool=self.pool, send=_in_memory, together=_TOGETHER,
+            kind_of=partial(likely_composition, context=self.job.context),
         )  # fmt: skip
         for done, (place, report) in enumerate(jobs, start=1):
             number = left[place]

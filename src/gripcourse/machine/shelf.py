@@ -145,9 +145,11 @@ class Shelved(Sequence[_Value], Generic[_Value]):
 
     So what is asked for twice is two objects, equal but not the same; and who changes one changes
     nothing here. All that is held of a value is where it lies.
+
+    Some that were asked for first may stay in memory: a small batch is looked through twenty times.
     """
 
-    __slots__ = ("_dump", "_load", "_lying")
+    __slots__ = ("_dump", "_load", "_loaded", "_lying", "_stay")
 
     def __init__(
         self,
@@ -156,6 +158,8 @@ class Shelved(Sequence[_Value], Generic[_Value]):
         dump: Callable[[_Value], bytes] = pickle.dumps,
         load: Callable[[bytes], Any] = pickle.loads,
         lying: Lying | None = None,
+        stay: int = 0,
+        loaded: dict[int, _Value] | None = None,
     ) -> None:
         """Put values on a shelf.
 
@@ -164,7 +168,10 @@ class Shelved(Sequence[_Value], Generic[_Value]):
             dump: makes bytes of a value.
             load: makes the value of its bytes.
             lying: values that are there already, before these; None for none.
+            stay: how many stay in memory once they were asked for; only of such as nobody changes.
+            loaded: those that stayed already, by their starts on the shelf; None for none.
         """
+        self._stay, self._loaded = stay, {} if loaded is None else loaded
         self._lying = Lying.of(Shelf(), 0) if lying is None else lying
         self._dump, self._load = dump, load
         for number, value in enumerate(values, start=len(self)):
@@ -183,7 +190,9 @@ class Shelved(Sequence[_Value], Generic[_Value]):
     def _with(self, lying: Lying, pairs: Iterable[tuple[int, _Value]]) -> "Shelved[_Value]":
         for number, value in pairs:
             lying.put(number, self._dump(value))
-        return Shelved(dump=self._dump, load=self._load, lying=lying)
+        return Shelved(
+            dump=self._dump, load=self._load, lying=lying, stay=self._stay, loaded=self._loaded
+        )
 
     def __len__(self) -> int:
         return len(self._lying.starts)
@@ -197,7 +206,13 @@ class Shelved(Sequence[_Value], Generic[_Value]):
     def __getitem__(self, place: int | slice) -> _Value | Sequence[_Value]:
         if isinstance(place, slice):
             return tuple(self[number] for number in range(*place.indices(len(self))))
-        value: _Value = self._load(self._lying.get(range(len(self))[place]))
+        number = range(len(self))[place]
+        start = self._lying.starts[number]
+        if start in self._loaded:
+            return self._loaded[start]
+        value: _Value = self._load(self._lying.get(number))
+        if start != _HERE and len(self._loaded) < self._stay:
+            self._loaded[start] = value
         return value
 
     def __iter__(self) -> Iterator[_Value]:

@@ -4,7 +4,7 @@ import os
 import signal
 import subprocess
 import sys
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from multiprocessing import util
 from multiprocessing.forkserver import _forkserver
@@ -70,12 +70,36 @@ def test_an_item_is_asked_for_when_its_turn_comes(errands: ModuleType) -> None:
     assert asked == list(range(100))
 
 
+def _by_tens(item: int) -> int:
+    return item // 10
+
+
+def test_jobs_of_a_kind_are_for_the_same_worker(errands: ModuleType) -> None:
+    items = [number * 10 % 100 + number // 10 for number in range(100)]
+    jobs = run_each(
+        errands.who_does, items, None, workers=2, seconds=60, together=4, kind_of=_by_tens
+    )
+    done_by = dict(zip(items, in_order(jobs), strict=True))
+    # Those that were sent at once: later ones may go to whoever has nothing left.
+    assert len({done_by[one] for one in (0, 1, 2, 3)}) == 1
+    assert len({done_by[one] for one in (50, 51, 52, 53)}) == 1
+    assert done_by[0] != done_by[50]
+
+
+@pytest.mark.parametrize("kind_of", [None, _by_tens], ids=["alike", "of kinds"])
 def test_of_jobs_that_travel_together_only_the_one_that_ends_its_worker_is_lost(
-    errands: ModuleType,
+    errands: ModuleType, kind_of: Callable[[int], int] | None
 ) -> None:
     items = [*range(70), -1, *range(70, 100)]
     jobs = run_each(
-        errands.end_at_negative, items, None, workers=2, seconds=60, pool=PROCESSES, together=8
+        errands.end_at_negative,
+        items,
+        None,
+        workers=2,
+        seconds=60,
+        pool=PROCESSES,
+        together=8,
+        kind_of=kind_of,
     )
     found = in_order(jobs)
     assert [place for place, one in enumerate(found) if isinstance(one, Lost)] == [70]

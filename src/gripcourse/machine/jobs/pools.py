@@ -59,12 +59,15 @@ class Pool:
         apart: whether workers have a memory of their own, so that what jobs need must be sent.
         limits: of each worker; None where a worker cannot be bounded, as a thread.
         shares_disk: whether workers see the files that this process sees.
+        addressed: whether each worker can be opened for itself, so that a job is given to a certain
+            one.
     """
 
     open: OpenExecutor
     apart: bool
     limits: Limits | None
     shares_disk: bool = True
+    addressed: bool = False
 
     def packed(self, value: object) -> Packed:
         """Pack what all jobs need, as it travels to these workers.
@@ -153,7 +156,7 @@ def _threads(workers: int, first: Initializer, arguments: tuple[Any, ...]) -> Ex
     return ThreadPoolExecutor(workers, "job", first, arguments)
 
 
-PROCESSES: Final = Pool(_processes, apart=True, limits=Limits())
+PROCESSES: Final = Pool(_processes, apart=True, limits=Limits(), addressed=True)
 """A process for each worker: a job can take down only its own."""
 
 THREADS: Final = Pool(_threads, apart=False, limits=None)

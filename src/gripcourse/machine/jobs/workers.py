@@ -13,6 +13,7 @@ from dataclasses import dataclass, replace
 from typing import Any, TypeAlias, TypeVar
 
 from gripcourse.machine.jobs.child import DIED
+from gripcourse.machine.jobs.lanes import JobsLeft, KindOf
 from gripcourse.machine.jobs.lost import JobLostError, Lost
 from gripcourse.machine.jobs.parcel import Packed
 from gripcourse.machine.jobs.pools import NOT_STARTED, PROCESSES, Executing, Pool
@@ -33,34 +34,6 @@ Result = TypeVar("Result")
 _Done: TypeAlias = Iterator[tuple[int, Any]]
 
 
-@dataclass(slots=True)
-class _JobsLeft:
-    """Jobs that nobody has begun: each item is asked for when its turn comes, and not held here.
-
-    Attributes:
-        items: of all jobs.
-        numbers: of those that waited at first, in their order.
-        taken: how many of these do not wait any more.
-    """
-
-    items: Sequence[Any]
-    numbers: Sequence[int]
-    taken: int = 0
-
-    def __len__(self) -> int:
-        return len(self.numbers) - self.taken
-
-    def take(self) -> tuple[int, Any]:
-        """Take the next job: its number and its item."""
-        number = self.numbers[self.taken]
-        self.taken += 1
-        return number, self.items[number]
-
-    def left(self) -> Sequence[int]:
-        """Return the numbers of the jobs that still wait."""
-        return self.numbers[self.taken :]
-
-
 @dataclass(frozen=True, slots=True)
 class _Crew:
     """Workers that can be opened again and again for one task, which they know by its name.
@@ -70,6 +43,7 @@ class _Crew:
         name, packed: the task; None where workers know what this process knows.
         send: returns what travels of an item.
         together: how many jobs one message may bring.
+        kind_of: jobs of a kind are for the same worker; None for all alike.
     """
 
     pool: Pool
@@ -77,6 +51,11 @@ class _Crew:
     packed: Packed | None
     send: Callable[[Any], Any]
     together: int
+    kind_of: KindOf | None = None
+
+    def lanes(self, workers: int) -> int:
+        """Return how many of so many workers are given jobs by name: each of them, or none."""
+        return max(1, workers) if self.pool.addressed and self.kind_of is not None else 1
 
     def open(self, workers: int) -> Executing:
         """Open an executor whose workers know the task."""
@@ -98,6 +77,7 @@ def run_each(  # noqa: PLR0913 (the last ones are what nearly everybody leaves a
     pool: Pool | None = PROCESSES,
     send: Callable[[Item], Item] = _as_it_is,
     together: int = 1,
+    kind_of: KindOf | None = None,
 ) -> Iterator[tuple[int, Result | Lost]]:
     """Do a job with every item, in parallel.
 
@@ -113,6 +93,8 @@ def run_each(  # noqa: PLR0913 (the last ones are what nearly everybody leaves a
             raises `OSError`, the job is done by a process of this machine at the end.
         together: how many jobs one message to a worker may bring, while many are left; for jobs so
             short that messages count. Each job has its own bounds all the same.
+        kind_of: tells jobs of which kind a worker makes something once, for the same worker to do
+            them one after the other; None where they are all alike. Not asked without workers.
 
     Yields:
         The place of an item in `items` and what it came to, in the order in which jobs are done;
@@ -130,7 +112,7 @@ def run_each(  # noqa: PLR0913 (the last ones are what nearly everybody leaves a
         return
     stay: list[int] = []
     travels = _as_it_is if pool.shares_disk else send
-    crew = _Crew(pool, name, pool.packed(task), travels, together)
+    crew = _Crew(pool, name, pool.packed(task), travels, together, kind_of)
     yield from _each(items, crew, workers, stay)
     if stay:
         here = run_each(work, [items[one] for one in stay], shared, workers=1, seconds=seconds)
@@ -167,9 +149,9 @@ def all_done(jobs: Iterable[tuple[int, Result | Lost]]) -> Iterator[tuple[int, R
 
 def _each(items: Sequence[Any], crew: _Crew, workers: int, stay: list[int]) -> _Done:
     """Do all jobs but those whose items cannot travel: their numbers are added to `stay`."""
-    waiting = _JobsLeft(items, range(len(items)))
+    count = min(workers, len(items))
+    waiting = JobsLeft.of(items, range(len(items)), crew.kind_of, crew.lanes(count))
     while waiting:
-        count = min(workers, len(waiting))
         # Who was taken along when a worker died may be the one that it died of.
         suspects, has_started = yield from _until_worker_dies(
             waiting, crew, count, count * _AHEAD, stay
@@ -179,15 +161,15 @@ def _each(items: Sequence[Any], crew: _Crew, workers: int, stay: list[int]) -> _
             left = sorted((*suspects, *waiting.left()))
             yield from ((number, lost) for number in left)
             return
-        alone = _JobsLeft(items, sorted(suspects))
+        alone = JobsLeft.of(items, sorted(suspects))
         while alone:
-            single = replace(crew, together=1)
+            single = replace(crew, together=1, kind_of=None)
             lost_alone, _ = yield from _until_worker_dies(alone, single, 1, 1, stay)
             yield from ((number, Lost(DIED)) for number in lost_alone)
 
 
 def _until_worker_dies(
-    waiting: _JobsLeft, crew: _Crew, workers: int, ahead: int, stay: list[int]
+    waiting: JobsLeft, crew: _Crew, workers: int, ahead: int, stay: list[int]
 ) -> Generator[tuple[int, Any], None, tuple[list[int], bool]]:
     """Do jobs that wait, until none is left or a worker dies.
 
@@ -197,20 +179,24 @@ def _until_worker_dies(
     Returns:
         The numbers of the jobs that a worker took along, and whether a worker did any job.
     """
-    executor = crew.open(workers)
+    lanes = len(waiting.lanes)
+    executors = [crew.open(workers // lanes) for _ in range(lanes)]
     taken_along: list[int] = []
     has_started = False
     running: dict[Future[Any], _Message] = {}
     try:
         while running or (waiting and not taken_along):
-            while waiting and not taken_along and len(running) < ahead:
-                message = _next_message(waiting, crew, ahead, stay)
-                if not message.numbers:
-                    continue
-                try:
-                    running[executor.submit(*message.call)] = message
-                except NOT_STARTED:
-                    taken_along += message.numbers
+            for lane, executor in enumerate(executors):
+                busy = sum(message.lane == lane for message in running.values())
+                while waiting and not taken_along and busy < ahead // lanes:
+                    message = _next_message(waiting, crew, lane, ahead, stay)
+                    if not message.numbers:
+                        continue
+                    try:
+                        running[executor.submit(*message.call)] = message
+                    except NOT_STARTED:
+                        taken_along += message.numbers
+                    busy += 1
             for future in wait(running, return_when=FIRST_COMPLETED).done:
                 message = running.pop(future)
                 try:
@@ -221,7 +207,8 @@ def _until_worker_dies(
                     has_started = True
                     yield from zip(message.numbers, outcomes, strict=True)
     finally:
-        executor.shutdown(cancel_futures=True)
+        for executor in executors:
+            executor.shutdown(cancel_futures=True)
     return taken_along, has_started
 
 
@@ -231,11 +218,13 @@ class _Message:
 
     Attributes:
         numbers: of the jobs; none where no item could travel.
+        lane: whose jobs they were.
         call: what the worker does, with its arguments.
         several: whether it answers with a tuple, one outcome for each job.
     """
 
     numbers: tuple[int, ...]
+    lane: int
     call: tuple[Any, ...]
     several: bool
 
@@ -244,7 +233,9 @@ class _Message:
         return answer if self.several else (answer,)
 
 
-def _next_message(waiting: _JobsLeft, crew: _Crew, ahead: int, stay: list[int]) -> _Message:
+def _next_message(
+    waiting: JobsLeft, crew: _Crew, lane: int, ahead: int, stay: list[int]
+) -> _Message:
     """Take jobs that wait: the fewer are left, the fewer go together.
 
     So no worker has much to do when the others have nothing any more.
@@ -253,7 +244,7 @@ def _next_message(waiting: _JobsLeft, crew: _Crew, ahead: int, stay: list[int]) 
     found: dict[int, Any] = {}
     size = 0
     while waiting and len(found) < most and size < _MESSAGE:
-        number, item = waiting.take()
+        number, item = waiting.take(lane)
         try:
             sent = crew.send(item)
         except OSError:
@@ -261,10 +252,11 @@ def _next_message(waiting: _JobsLeft, crew: _Crew, ahead: int, stay: list[int]) 
             continue
         found[number] = sent if most == 1 else pickle.dumps(sent)
         size += 0 if most == 1 else len(found[number])
+    numbers = tuple(found)
     if most == 1:
-        return _Message(tuple(found), (perform, crew.name, *found.values()), several=False)
+        return _Message(numbers, lane, (perform, crew.name, *found.values()), several=False)
     call = perform_all, crew.name, tuple(found.values())
-    return _Message(tuple(found), call, several=True)
+    return _Message(numbers, lane, call, several=True)
 
 
 def _can_start(crew: _Crew) -> bool:
