@@ -11,7 +11,6 @@ from gripcourse.course.model import Course
 from gripcourse.grading.identify import HandedIn, identify, named_by_person
 from gripcourse.grading.path_pattern import PathPattern
 from gripcourse.issuing.withdrawal import Join
-from gripcourse.machine.content import Readable, shown_name
 from gripcourse.policy.model import Policy
 from gripcourse.submission.model import Identity
 from gripcourse.variants.model import Issued
@@ -66,13 +65,12 @@ def handed_in_by(file: str, identity: Identity | None, context: GradingContext) 
     return identify(file, identity, known, context.pattern, earlier, context.joined)
 
 
-def likely_composition(source: Readable, context: GradingContext) -> Composition | None:
-    """Guess which composition a file is about, by its name alone; None where nothing tells.
+def likely_composition(file: str, context: GradingContext) -> Composition | None:
+    """Guess which composition a file is about, by its path alone; None where nothing tells.
 
     Whoever judges works of one composition makes its wrong methods once. Nothing else follows from
     a guess: whose a file is says `handed_in_by`.
     """
-    file = shown_name(source)
     path = PurePath(file)
     words = (path.stem, path.parent.name, *_WORD.findall(path.stem), *_WORD.findall(file))
     likely = (context.whose.get(file), *words)

@@ -49,13 +49,36 @@ def grade_file(source: Readable, context: GradingContext, made: bytes | None = N
         context: the course, its policy, the register.
         made: what LibreOffice made of the file; None where our reader is enough.
     """
+    return grade_read(read_file(source, made), shown_name(source), context, second=made is not None)
+
+
+def read_file(source: Readable, made: bytes | None = None) -> RawWorkbook | Rejected:
+    """Read one file, of whatever course it is.
+
+    Args:
+        source: the file.
+        made: what LibreOffice made of it; None where our reader is enough.
+    """
     file = shown_name(source)
     try:
-        raw = read_workbook(source) if made is None else read_again(source, made)
+        return read_workbook(source) if made is None else read_again(source, made)
     except UnreadableMemberError:
-        raw = Rejected.because(file, "", WhyRefused.DAMAGED)
+        return Rejected.because(file, "", WhyRefused.DAMAGED)
     except OSError:  # it was there when the batch began
-        raw = Rejected.because(file, "", WhyRefused.GONE)
+        return Rejected.because(file, "", WhyRefused.GONE)
+
+
+def grade_read(
+    raw: RawWorkbook | Rejected, file: str, context: GradingContext, *, second: bool = False
+) -> Report:
+    """Grade what was read of a file; see `grade_file`.
+
+    Args:
+        raw: what was read.
+        file: its name.
+        context: the course, its policy, the register.
+        second: whether LibreOffice has looked at the file already.
+    """
     identity = None if isinstance(raw, Rejected) else raw.identity
     handed_in = handed_in_by(file, identity, context)
     report = replace(_report(raw, handed_in, context), known_by=handed_in.known_by)
@@ -64,8 +87,8 @@ def grade_file(source: Readable, context: GradingContext, made: bytes | None = N
     return replace(
         report,
         flags=(*report.flags, *results_flags(raw.other_results)),
-        lacks_results=lacks_results(raw) or (made is None and stores_zeros(raw)),
-        unverified=made is None and stores_results(raw),
+        lacks_results=lacks_results(raw) or (not second and stores_zeros(raw)),
+        unverified=not second and stores_results(raw),
     )
 
 

@@ -5,7 +5,6 @@ import logging
 from array import array
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
-from functools import partial
 from typing import Any, TypeAlias
 
 from gripcourse.batch.context import GradingContext, handed_in_by, likely_composition
@@ -14,7 +13,9 @@ from gripcourse.batch.doubts import in_doubt
 from gripcourse.batch.duplicates import doubles
 from gripcourse.batch.graded import Graded, on_a_shelf, reports_of, with_reports
 from gripcourse.batch.kept_reports import KeptReports
+from gripcourse.batch.read_ahead import WorkRead, WorksAhead
 from gripcourse.batch.second_look import made_by_office, needs_second_look
+from gripcourse.course.composition import Composition
 from gripcourse.grading.folded import Derivation, folded
 from gripcourse.grading.model import Report
 from gripcourse.grading.recalculated import not_recalculated_flag
@@ -68,6 +69,7 @@ def grade_files(  # noqa: PLR0913 (the last ones are what everybody leaves as th
     kept: KeptReports | None = None,
     pool: Pool = PROCESSES,
     wanted: Sequence[Derivation[Any]] = (),
+    ahead: WorksAhead | None = None,
 ) -> Sequence[Graded]:
     """Grade files in parallel; the result is in the order of the files.
 
@@ -85,10 +87,11 @@ def grade_files(  # noqa: PLR0913 (the last ones are what everybody leaves as th
             it comes; None for neither.
         pool: kind of workers.
         wanted: what will be asked of the findings of each, derived where they are made.
+        ahead: what was read of these files before; None for nothing.
     """
     job = _Job(context, grade_one, tuple(wanted))
     meanwhile = iter(()) if kept is None else solve_ahead(context, kept)
-    grading = _Grading(files, job, workers, seconds, pool, kept, on_done, meanwhile)
+    grading = _Grading(files, job, workers, seconds, pool, kept, on_done, meanwhile, ahead)
     alone = on_a_shelf().filled(len(files), grading.each())
     return compared(alone.with_changes(grading.again(alone)), context, kept)
 
@@ -99,6 +102,7 @@ class _Grading:
 
     Attributes:
         meanwhile: what this process does while workers judge, a part at each step.
+        ahead: what was read of the files before; None for nothing.
         open: places of the files that LibreOffice could make more of.
     """
 
@@ -110,6 +114,7 @@ class _Grading:
     kept: KeptReports | None
     on_done: Callable[[Readable], None]
     meanwhile: Iterator[None]
+    ahead: WorksAhead | None = None
     open: "array[int]" = field(default_factory=lambda: array("q"))
 
     def each(self) -> Iterator[tuple[int, Graded]]:
@@ -122,9 +127,9 @@ class _Grading:
             self.on_done(self.files[number])
         left = array("q", (number for number, one in enumerate(is_known) if not one))
         jobs = run_each(
-            _grade, Viewed(left, self.files.__getitem__), self.job, workers=self.workers,
-            seconds=self.seconds, pool=self.pool, send=_in_memory, together=_TOGETHER,
-            kind_of=partial(likely_composition, context=self.job.context),
+            _grade, Viewed(left, self._work), self.job, workers=self.workers,
+            seconds=self.seconds, pool=self.pool, send=_travelling, together=_TOGETHER,
+            kind_of=self._kind,
         )  # fmt: skip
         for done, (place, report) in enumerate(jobs, start=1):
             number = left[place]
@@ -135,6 +140,13 @@ class _Grading:
             self.on_done(self.files[number])
             if done < len(left):
                 next(self.meanwhile, None)
+
+    def _work(self, number: int) -> Readable | WorkRead:
+        return self.files[number] if self.ahead is None else self.ahead.work(number)
+
+    def _kind(self, work: Readable | WorkRead) -> Composition | None:
+        file = work.name if isinstance(work, WorkRead) else shown_name(work)
+        return likely_composition(file, self.job.context)
 
     def again(self, alone: Sequence[Graded]) -> Iterator[tuple[int, Graded]]:
         """Grade those files again of which LibreOffice could make more."""
@@ -196,12 +208,12 @@ def is_found_out(report: Report, context: GradingContext, workers: int) -> bool:
     return not (asked and needs_second_look(report, recalculate=context.recalculate))
 
 
-def _in_memory(file: Readable) -> NamedBytes:
-    return in_memory(file, LARGEST_FILE)
+def _travelling(work: Readable | WorkRead) -> NamedBytes | WorkRead:
+    return work if isinstance(work, WorkRead) else in_memory(work, LARGEST_FILE)
 
 
 def _pair_in_memory(pair: tuple[Readable, bytes]) -> tuple[Readable, bytes]:
-    return _in_memory(pair[0]), pair[1]
+    return in_memory(pair[0], LARGEST_FILE), pair[1]
 
 
 def _second(first: Report, again: Report | Lost | None, *, unopened: bool) -> Report:
@@ -243,9 +255,17 @@ def incident_number(trace: str) -> str:
     return hashlib.sha256(shown(trace).encode()).hexdigest()[:8]
 
 
-def _grade(file: Readable, job: _Job) -> Report:
+def _grade(work: Readable | WorkRead, job: _Job) -> Report:
     # Folded where it was made: it travels as bytes, and who waits for all has less to do.
-    return folded(job.grade_one(file, job.context), job.wanted)
+    return folded(_graded_alone(work, job), job.wanted)
+
+
+def _graded_alone(work: Readable | WorkRead, job: _Job) -> Report:
+    if not isinstance(work, WorkRead):
+        return job.grade_one(work, job.context)
+    from gripcourse.batch.one_file import grade_read  # noqa: PLC0415 (as `_grade_file`)
+
+    return grade_read(work.workbook(), work.name, job.context)
 
 
 def _grade_again(pair: tuple[Readable, bytes], context: GradingContext) -> Report:

@@ -44,6 +44,7 @@ if TYPE_CHECKING:
 
     from gripcourse.batch.context import GradingContext
     from gripcourse.batch.graded import Graded
+    from gripcourse.batch.read_ahead import WorksAhead
     from gripcourse.usecases.grading.as_before import Beginning, SaidAtEnd
     from gripcourse.usecases.grading.grade import GradingOutcome
     from gripcourse.usecases.grading.unchanged import Earlier
@@ -99,10 +100,12 @@ def grade(  # noqa: PLR0913 (one parameter per option)
     from gripcourse.usecases.grading.versions import EARLIER
 
     modules = GRADING if grades_only else (*GRADING, *REPORTS)
-    if json or afresh or not (out / EARLIER).exists():
-        # Nothing can be as an earlier run left it: workers will be needed.
+    # Whether nothing can be as an earlier run left it: workers will be needed.
+    is_new = json or afresh or not (out / EARLIER).exists()
+    if is_new:
         foresee(modules, workers, cluster)
 
+    from gripcourse.batch.read_ahead import reading_ahead
     from gripcourse.machine.office import office_command, office_identity
     from gripcourse.usecases.grading.as_before import GradingAsked, beginning
     from gripcourse.usecases.grading.collect import collect
@@ -128,16 +131,18 @@ def grade(  # noqa: PLR0913 (one parameter per option)
         *(order, wish.tables_said(), str(out)),
         *(words.language, bool(workers), office_identity(office_command())),
     )
-    begun = beginning(GradingAsked(root, gradebook_place(gradebook, root), out, found, options))
-    said = None if json or afresh else begun.said_before()
-    if said is None:
-        foresee(modules, workers, cluster)  # where they were not before, nothing where they were
-        needs_person = _grade_anew(begun, order, manner)
-    else:
-        now, files = datetime.now(UTC), len(found.files)
-        note_batch(begun.asked.place, said.course, files, manner.by, why, now)
-        _say(said)
-        needs_person = said.needs_person
+    with reading_ahead(found.files, workers if is_new and cluster is None else 0) as ahead:
+        begun = beginning(GradingAsked(root, gradebook_place(gradebook, root), out, found, options))
+        said = None if json or afresh else begun.said_before()
+        if said is None:
+            # Where they were not foreseen before, nothing where they were.
+            foresee(modules, workers, cluster)
+            needs_person = _grade_anew(begun, order, manner, ahead)
+        else:
+            now, files = datetime.now(UTC), len(found.files)
+            note_batch(begun.asked.place, said.course, files, manner.by, why, now)
+            _say(said)
+            needs_person = said.needs_person
     raise typer.Exit(NEEDS_PERSON if needs_person else DONE)
 
 
@@ -184,12 +189,12 @@ class _Graded:
     now: datetime
 
 
-def _grade_anew(begun: "Beginning", order: _Order, manner: _Manner) -> bool:
+def _grade_anew(begun: "Beginning", order: _Order, manner: _Manner, ahead: "WorksAhead") -> bool:
     """Grade what an earlier run did not, and say all; tell whether something needs a person."""
     from gripcourse.usecases.grading import grade as command
     from gripcourse.usecases.grading.batch_tables import batch_result
 
-    done, asked, words = _written(begun, order, manner), begun.asked, manner.words
+    done, asked, words = _written(begun, order, manner, ahead), begun.asked, manner.words
     outcome, context = done.outcome, done.context
     if manner.json:
         result = batch_result(outcome.reports, words, context, asked.found.passed_over)
@@ -205,7 +210,7 @@ def _grade_anew(begun: "Beginning", order: _Order, manner: _Manner) -> bool:
     return outcome.needs_person
 
 
-def _written(begun: "Beginning", order: _Order, manner: _Manner) -> _Graded:
+def _written(begun: "Beginning", order: _Order, manner: _Manner, ahead: "WorksAhead") -> _Graded:
     """Grade a batch, keep it and write its results."""
     from gripcourse.machine.files import make_private_folder
     from gripcourse.machine.jobs.cluster import open_workers
@@ -233,7 +238,8 @@ def _written(begun: "Beginning", order: _Order, manner: _Manner) -> _Graded:
         progress_noted(out, shown) as step,
     ):
         tick = step(words.say(message("Grading")), len(files))
-        graded = command.grade(files, context, hands, lambda _: tick(), earlier, pool)
+        read = ahead.ended()
+        graded = command.grade(files, context, hands, lambda _: tick(), earlier, pool, ahead=read)
         now = datetime.now(UTC)
         graded = keep(graded, context, place, now, times)
         note_batch(place, context.course.id, len(graded), manner.by, manner.why, now)

@@ -78,7 +78,7 @@ def run_each(  # noqa: PLR0913 (the last ones are what nearly everybody leaves a
     send: Callable[[Item], Item] = _as_it_is,
     together: int = 1,
     kind_of: KindOf | None = None,
-) -> Iterator[tuple[int, Result | Lost]]:
+) -> Generator[tuple[int, Result | Lost], None, None]:
     """Do a job with every item, in parallel.
 
     Args:

@@ -7,6 +7,7 @@ from pathlib import Path
 
 from gripcourse.batch.context import GradingContext
 from gripcourse.batch.graded import Graded, reports_of, with_reports
+from gripcourse.batch.read_ahead import WorksAhead
 from gripcourse.batch.run import grade_files, incident_number, is_found_out
 from gripcourse.documents.report.totals import is_counting, shares
 from gripcourse.exports.grades import FOUND
@@ -81,20 +82,24 @@ class GradingOutcome:
     undated: tuple[str, ...] = ()
 
 
-def grade(
+def grade(  # noqa: PLR0913 (the last ones are what nearly everybody leaves as they are)
     files: Sequence[Readable],
     context: GradingContext,
     workers: int,
     on_done: Callable[[Readable], None],
     earlier: Earlier | None = None,
     pool: Pool = PROCESSES,
+    *,
+    ahead: WorksAhead | None = None,
 ) -> Sequence[Graded]:
     """Grade files, but for those that an earlier run graded; see `batch.run.grade_files`."""
     kept = None if earlier is None else earlier.reports
     count = min(workers, len(files))
     # What the gradebook, the search for likeness and the tables ask of every work.
     wanted = (RESULTS, RESULTS_DIGEST, TYPED, FOUND, said_in(context.course.language))
-    return grade_files(files, context, count, on_done, kept=kept, pool=pool, wanted=wanted)
+    return grade_files(
+        files, context, count, on_done, kept=kept, pool=pool, wanted=wanted, ahead=ahead
+    )
 
 
 def write_results(  # noqa: PLR0913 (the last is what everybody leaves as it is)
