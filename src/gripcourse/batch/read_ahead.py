@@ -19,6 +19,9 @@ from gripcourse.machine.shelf import Shelf, ShelfPlace, fetched
 if TYPE_CHECKING:
     from gripcourse.submission.raw import RawWorkbook
 
+# Where workers cannot be started, who judges will say why; Ctrl-C comes to workers too, and who was
+# called answers for it.
+_OTHERS_SAY: Final = (OSError, MemoryError, RuntimeError, KeyboardInterrupt)
 # A real work takes 0.02 s. What takes longer has its own time when it is judged.
 _SECONDS: Final = 2.0
 
@@ -95,8 +98,7 @@ def _read(ahead: WorksAhead, workers: int) -> None:
     shelf = Shelf()
     count = min(max(1, workers - 1), len(ahead.files))
     jobs = run_each(_packed, ahead.files, None, workers=count, seconds=_SECONDS)
-    # Where workers cannot be started, who judges will say why.
-    with suppress(OSError, MemoryError, RuntimeError), closing(jobs):
+    with suppress(*_OTHERS_SAY), closing(jobs):
         for number, packed in jobs:
             if isinstance(packed, bytes) and packed:
                 ahead.places[number] = shelf.put(packed) or packed

@@ -178,4 +178,9 @@ def put_more(item: int, shelved: Sequence[int]) -> tuple[int, ...]:
 
 def hears_interrupts(_: int, __: None) -> bool:
     """Tell whether Ctrl-C ends what this process does."""
-    return signal.getsignal(signal.SIGINT) is signal.default_int_handler
+    try:
+        os.kill(os.getpid(), signal.SIGINT)
+        time.sleep(5)
+    except KeyboardInterrupt:
+        return True
+    return False

@@ -9,6 +9,7 @@ from dataclasses import replace
 from multiprocessing import util
 from multiprocessing.forkserver import _forkserver
 from pathlib import Path
+from time import sleep
 from types import ModuleType
 from typing import Any
 
@@ -201,6 +202,19 @@ def test_an_interrupt_ends_no_preparation_and_workers_hear_it(errands: ModuleTyp
     jobs = run_each(errands.hears_interrupts, [1], None, workers=1, seconds=60)
     assert in_order(jobs) == (True,)
     assert _forkserver._forkserver_pid == origin  # type: ignore[attr-defined]  # noqa: SLF001
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="workers are forks on Linux only")
+def test_an_interrupt_finds_nothing_to_end_in_a_worker_that_waits(
+    errands: ModuleType, capfd: pytest.CaptureFixture[str]
+) -> None:
+    _forkserver._stop()  # type: ignore[attr-defined]  # noqa: SLF001 (so that it writes where we read)
+    jobs = run_each(errands.who_does, range(5), None, workers=1, seconds=60)
+    _, worker = next(jobs)
+    sleep(0.3)
+    os.kill(worker, signal.SIGINT)
+    assert [process for _, process in jobs] == [worker] * 4
+    assert capfd.readouterr().err == ""
 
 
 def test_a_place_for_temporary_files_may_have_a_long_path(tmp_path: Path) -> None:

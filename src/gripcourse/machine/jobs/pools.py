@@ -26,6 +26,7 @@ from typing import Any, Final, Protocol, TypeAlias
 from gripcourse.machine.jobs.limits import Limits, keep_within, limits_of_system
 from gripcourse.machine.jobs.parcel import Packed, PackedBytes, packed_for_workers
 from gripcourse.machine.jobs.room import demand_room
+from gripcourse.machine.jobs.work import hear_in_job
 from gripcourse.machine.process_wide import import_nothing_from_here, importing_nothing_from_here
 
 Initializer: TypeAlias = Callable[..., None]
@@ -145,7 +146,7 @@ def _begin(packed: Packed, first: Initializer, arguments: tuple[Any, ...]) -> No
     """Take over what this process has, in the worker, and do what it does first."""
     environment, allowed, is_deaf = packed.unpacked()
     # What it is a fork of may have been started in another one, with other limits, and is deaf.
-    signal.signal(signal.SIGINT, signal.SIG_IGN if is_deaf else signal.default_int_handler)
+    signal.signal(signal.SIGINT, signal.SIG_IGN if is_deaf else hear_in_job)
     keep_within(allowed)
     os.environ.clear()
     os.environ.update(environment)

@@ -1,10 +1,12 @@
 """A worker's side: what all jobs need comes once, each job then brings only its own item."""
 
 import pickle
+import signal
 import traceback
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
+from types import FrameType
 from typing import Any, TypeAlias
 
 from gripcourse.machine.jobs.limits import Limits, TookTooLongError, bind_worker, time_limit
@@ -68,6 +70,18 @@ def perform(name: str, item: object) -> Any | Lost:  # noqa: ANN401 (whatever th
 def perform_all(name: str, packed: tuple[bytes, ...]) -> tuple[Any | Lost, ...]:
     """Do several jobs of a task, each with its own bounds; their items come packed."""
     return tuple(perform(name, pickle.loads(one)) for one in packed)  # noqa: S301 (packed by the program that started this)
+
+
+def hear_in_job(number: int, frame: FrameType | None) -> None:
+    """Let Ctrl-C end the job in hand; between jobs there is nothing to end.
+
+    It comes to all processes of a terminal. The one that was called answers for it, and lets its
+    workers go; a worker that was interrupted while it waits would only write where from.
+    """
+    while frame is not None:
+        if frame.f_code is do.__code__:
+            signal.default_int_handler(number, frame)
+        frame = frame.f_back
 
 
 def do(task: Task, item: object) -> Any | Lost:  # noqa: ANN401 (as above)
