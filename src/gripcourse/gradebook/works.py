@@ -24,6 +24,7 @@ class StudentWork:
         first: its first attempt.
         attempt: the attempt that stands for it.
         handed_in: when; what a person said last goes before the file's own time. None: unknown.
+            Of two that were said under two ids of one person the earlier, until a person says more.
         taken: its place among what the desk took of the student; None where it came otherwise.
     """
 
@@ -46,11 +47,12 @@ def works_of(
     """Return the works of each student, in the order in which they were graded first.
 
     Args:
-        standing: attempts of any students, without those that were taken back.
+        standing: attempts of any students, without those that were taken back, oldest first for
+            each student.
         taken: by student and digest, the place of a work among what the desk took of the student.
     """
     by_student: dict[str, dict[str, list[Attempt]]] = {}
-    for one in sorted(standing, key=lambda one: one.number):
+    for one in standing:
         by_student.setdefault(one.student, {}).setdefault(one.digest, []).append(one)
     return {
         student: tuple(
@@ -58,7 +60,7 @@ def works_of(
                 student,
                 number,
                 attempts[0],
-                attempts[-1],
+                _standing(attempts),
                 _handed_in(attempts),
                 taken.get((student, digest)),
             )
@@ -91,7 +93,14 @@ def _place(work: StudentWork) -> int:
     return work.taken or 0
 
 
+def _standing(attempts: Sequence[Attempt]) -> Attempt:
+    return next((one for one in reversed(attempts) if not one.outranked), attempts[-1])
+
+
 def _handed_in(attempts: Sequence[Attempt]) -> datetime | None:
+    if attempts[-1].other_time is not None:
+        # Two were said under two ids: the earlier one, which costs the student nothing.
+        return attempts[-1].other_time
     said = [one.handed_in for one in attempts if one.handed_in_said]
     return said[-1] if said else attempts[0].handed_in
 

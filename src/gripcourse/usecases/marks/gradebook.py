@@ -156,7 +156,11 @@ def _kept(
         for mine in reports.values()
         for report in mine
     )
-    attempts = [_timed(one, keeping.times.get(one.file)) for one in found if one is not None]
+    attempts = [
+        _under_its_sheet(_timed(one, keeping.times.get(one.file)), keeping.context)
+        for one in found
+        if one is not None
+    ]
     known, undone = _known(keeping, students), book.undone()
     told = told_works(keeping.told, known)
     before = works_of(one for one in known if one.regrade not in undone)
@@ -246,6 +250,17 @@ def _timed(attempt: Attempt, handed_in: HandingTime | None) -> Attempt:
     if handed_in is None:
         return attempt
     return replace(attempt, handed_in=handed_in.at, handed_in_said=handed_in.said)
+
+
+def _under_its_sheet(attempt: Attempt, context: GradingContext) -> Attempt:
+    """Return a work that is to be kept under the id whose sheet it was made for.
+
+    So it goes with the sheet where two who were joined are two again.
+    """
+    sheets = context.earlier.get(attempt.student, ()) if context.joins else ()
+    made_for = (attempt.variant, attempt.version)
+    kept_as = (one.issued_as for one in sheets if (one.variant.id, one.version) == made_for)
+    return replace(attempt, kept_as=next(kept_as, ""))
 
 
 def _to_add(
