@@ -97,16 +97,17 @@ def as_of_person(entry: Issued, person: Student) -> Issued:
     return replace(entry, student=person, issued_as=entry.issued_as or entry.student.id)
 
 
-def with_latest_deadline(entry: Issued, others: Iterable[Issued]) -> Issued:
+def with_joined(entry: Issued, others: Iterable[Issued]) -> Issued:
     """Return a person's entry with the latest day that stands on any sheet of the person's.
 
     Args:
         entry: of the person.
         others: the last versions under the ids that were joined with it.
     """
-    days = [one.deadline for one in (entry, *others)]
+    joined = tuple(others)
+    days = [one.deadline for one in (entry, *joined)]
     latest = None if None in days else max(day for day in days if day is not None)
-    return entry if latest == entry.deadline else replace(entry, deadline=latest)
+    return replace(entry, deadline=latest, joined=tuple(one.student for one in joined))
 
 
 def checked(
