@@ -26,6 +26,7 @@ class StudentWork:
         handed_in: when; what a person said last goes before the file's own time. None: unknown.
             Of two that were said under two ids of one person the earlier, until a person says more.
         taken: its place among what the desk took of the student; None where it came otherwise.
+        of_two: whether that is the earlier of two times that were said under two ids.
     """
 
     student: str
@@ -34,6 +35,7 @@ class StudentWork:
     attempt: Attempt
     handed_in: datetime | None
     taken: int | None = None
+    of_two: bool = False
 
     @property
     def digest(self) -> str:
@@ -63,6 +65,7 @@ def works_of(
                 _standing(attempts),
                 _handed_in(attempts),
                 taken.get((student, digest)),
+                _earlier_of_two(attempts) is not None,
             )
             for number, (digest, attempts) in enumerate(by_file.items(), start=1)
         )
@@ -98,11 +101,17 @@ def _standing(attempts: Sequence[Attempt]) -> Attempt:
 
 
 def _handed_in(attempts: Sequence[Attempt]) -> datetime | None:
-    if attempts[-1].other_time is not None:
-        # Two were said under two ids: the earlier one, which costs the student nothing.
-        return attempts[-1].other_time
+    if (earlier := _earlier_of_two(attempts)) is not None:
+        return earlier
     said = [one.handed_in for one in attempts if one.handed_in_said]
     return said[-1] if said else attempts[0].handed_in
+
+
+def _earlier_of_two(attempts: Sequence[Attempt]) -> datetime | None:
+    """Return the earlier of two times that were said under two ids, while nobody decides."""
+    if any(one.handed_in_said and one.other_time is None for one in attempts):
+        return None
+    return next((one.other_time for one in attempts if one.other_time is not None), None)
 
 
 def latest_judged(standing: Iterable[Attempt]) -> dict[str, Attempt]:

@@ -1,7 +1,7 @@
 """Keeping what was graded, and letting the marks of persons enter the reports."""
 
 from collections import defaultdict
-from collections.abc import Container, Iterable, Mapping, Sequence
+from collections.abc import Container, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from datetime import datetime
 from itertools import chain, islice
@@ -182,7 +182,13 @@ def _kept(
         timings = timings_by_policy(policy, works[name], marks, deadline, waived)
         if timings:
             entered = [replace(one, timing=timings.get(one.digest)) for one in entered]
-            doubts = [_doubt(keeping, one.file, deadline, waived) for one in entered]
+            doubts = [
+                (
+                    *_doubt(keeping, one.file, deadline, waived),
+                    *_two_times(works[name], one, keeping),
+                )
+                for one in entered
+            ]
             entered = [
                 replace(one, flags=(*one.flags, *doubt))
                 for one, doubt in zip(entered, doubts, strict=True)
@@ -244,6 +250,21 @@ def _doubt(
         remedy=remedy,
     )
     return (Flag(FlagCode.TIME_DOUBTFUL, said),)
+
+
+def _two_times(works: Sequence[StudentWork], report: Report, keeping: _Keeping) -> Iterator[Flag]:
+    """Flag a work that was handed in at two times, as was said under two ids of one person."""
+    for work in works:
+        if work.digest != report.digest or not work.of_two:
+            continue
+        ids = ", ".join(one.student for one in keeping.context.joins if one.person == work.student)
+        said = message(
+            "Under two ids of one person, {ids} and {student}, two times were said at which the"
+            " work was handed in. The earlier one counts until somebody says when it was.",
+            ids=ids,
+            student=work.student,
+        )
+        yield Flag(FlagCode.TIME_DOUBTFUL, said)
 
 
 def _timed(attempt: Attempt, handed_in: HandingTime | None) -> Attempt:
