@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 from gripcourse.exports.report_result import GradesResult, ReportResult
 from gripcourse.gradebook.journal import Regrade
 from gripcourse.gradebook.model import Attempt
-from gripcourse.gradebook.works import works_of
+from gripcourse.gradebook.works import in_order, works_of
 from gripcourse.grading.analytics.difficulty import difficulty_table
 from gripcourse.grading.analytics.reliability import reliability_table
 from gripcourse.grading.analytics.shares import item_table, score_table, share_table
@@ -97,14 +97,14 @@ def _times(attempts: Sequence[Attempt]) -> list[tuple[Any, ...]]:
     return [
         (
             student,
-            work.number,
+            number,
             len(works),
             "" if work.handed_in is None else work.handed_in.isoformat(),
             (student, work.digest) in said,
             work.attempt.graded_at.isoformat(),
         )
         for student, works in sorted(works_of(attempts).items())
-        for work in works
+        for number, work in enumerate(in_order(works), start=1)
     ]
 
 

@@ -1,12 +1,12 @@
 """Withdrawing from the register: who left the course, who was issued to twice, and back again."""
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
 from gripcourse.course.read import course_id
 from gripcourse.gradebook.joined import family, joining_after, marks_of_persons
-from gripcourse.gradebook.journal import published_works
+from gripcourse.gradebook.journal import publications, published_works
 from gripcourse.gradebook.model import GradebookEntry, latest_marks, share_given
 from gripcourse.gradebook.store import Gradebook, open_gradebook
 from gripcourse.issuing.allotment import Extended
@@ -24,10 +24,12 @@ class Withdrawn:
     Attributes:
         notes: what it comes to, and what is left to do.
         disputed: quantities of the person that were marked by hand, otherwise, under both ids.
+        told_twice: whether the person was told results under both ids that differ.
     """
 
     notes: tuple[Message, ...]
     disputed: tuple[str, ...] = ()
+    told_twice: bool = False
 
 
 def withdraw(wanted: Withdrawal, root: Path, place: str) -> Withdrawn:
@@ -81,14 +83,17 @@ def withdraw(wanted: Withdrawal, root: Path, place: str) -> Withdrawn:
         for name, one in counting.items()
         if any(other.mark.kept_as in of_this for other in one.rivals)
     )
+    twice = _told_twice(book, person, of_this, family({person}, before.joins))
     return Withdrawn(
         (
             *extended.notes,
             *_carried(wanted, carried),
             *_told_of(book, wanted, person, joins),
+            *twice,
             *(_dispute(counting[name]) for name in disputed),
         ),
         disputed,
+        told_twice=bool(twice),
     )
 
 
@@ -117,6 +122,24 @@ def _told_of(
         works,
         student=wanted.student,
         person=person,
+    )
+    return (said,)
+
+
+def _told_twice(
+    book: Gradebook | None, person: str, of_this: Collection[str], of_person: Collection[str]
+) -> tuple[Message, ...]:
+    """Say what a person was told last under each of two ids, where that differs."""
+    told = () if book is None else publications(book)
+    last = [[one for one in told if one.student in ids][-1:] for ids in (of_person, of_this)]
+    both = [one for found in last for one in found]
+    if len({(one.points, one.max_points) for one in both}) < len(last):
+        return ()
+    said = message(
+        "{person} was told different results: {results}. Each stands as it was told; which of the"
+        " works counts, the policy says.",
+        person=person,
+        results=", ".join(f"{one.student} {one.points:.4g} / {one.max_points:.4g}" for one in both),
     )
     return (said,)
 
