@@ -115,9 +115,12 @@ def _earlier_of_two(attempts: Sequence[Attempt]) -> datetime | None:
 
 
 def latest_judged(standing: Iterable[Attempt]) -> dict[str, Attempt]:
-    """Return what stands for the last work of each student that could be judged, by student."""
+    """Return what stands for the last work of each student that could be judged, by student.
+
+    It is the one that was handed in last, as for what counts.
+    """
     return {
-        student: judged[-1].attempt
+        student: in_order(judged)[-1].attempt
         for student, works in works_of(standing).items()
         if (judged := [one for one in works if one.attempt.judged])
     }
