@@ -266,7 +266,13 @@ def _letter(results: Results, work: GradedWork, *, has_report: bool) -> str:
 
 
 def _only_report(results: Results, student: str) -> ReportResult:
-    found = [one for one in results.grades.reports if student in {"", one.student}]
+    persons = persons_of(results.joins)
+    wanted = persons.get(student, student)
+    found = [
+        one
+        for one in results.grades.reports
+        if not student or persons.get(one.student, one.student) == wanted
+    ]
     # Of several works of one student the policy may say which counts.
     of_one = len({one.student for one in found}) == 1
     counting = [one for one in found if of_one and one.judged and one.counts is not False]
