@@ -1,7 +1,7 @@
 """Keeping what was graded, and letting the marks of persons enter the reports."""
 
 from collections import defaultdict
-from collections.abc import Container, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Container, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from datetime import datetime
 from itertools import chain, islice
@@ -24,13 +24,13 @@ from gripcourse.gradebook.model import (
 )
 from gripcourse.gradebook.results import digest_is_known
 from gripcourse.gradebook.store import Gradebook, open_gradebook
-from gripcourse.gradebook.timing import Waiver, lateness, timings_by_policy
+from gripcourse.gradebook.timing import Waiver, timings_by_policy
 from gripcourse.gradebook.works import StudentWork, works_of
-from gripcourse.grading.model import Flag, FlagCode, Report, Timing
+from gripcourse.grading.model import FlagCode, Report, Timing
 from gripcourse.machine.database.home import exists
 from gripcourse.machine.database.opening import demand_writing
 from gripcourse.policy.time_rules import Counts
-from gripcourse.text.words import message
+from gripcourse.usecases.marks.attempt_times import doubts_about_time, to_keep
 from gripcourse.usecases.marks.handed_in import HandingTime
 from gripcourse.usecases.serving.taken import order_of_works
 
@@ -157,7 +157,7 @@ def _kept(
         for report in mine
     )
     attempts = [
-        _under_its_sheet(_timed(one, keeping.times.get(one.file)), keeping.context)
+        to_keep(one, keeping.times.get(one.file), keeping.context)
         for one in found
         if one is not None
     ]
@@ -182,10 +182,14 @@ def _kept(
         timings = timings_by_policy(policy, works[name], marks, deadline, waived)
         if timings:
             entered = [replace(one, timing=timings.get(one.digest)) for one in entered]
+            of_digest = {one.digest: one for one in works[name]}
             doubts = [
-                (
-                    *_doubt(keeping, one.file, deadline, waived),
-                    *_two_times(works[name], one, keeping),
+                doubts_about_time(
+                    of_digest.get(one.digest),
+                    keeping.times.get(one.file),
+                    keeping.context,
+                    deadline,
+                    waived,
                 )
                 for one in entered
             ]
@@ -227,61 +231,6 @@ def _undisputed(report: Report) -> Report:
     """Return a report that asks nobody which of a student's works counts: the policy says it."""
     kept = tuple(flag for flag in report.flags if flag.code is not FlagCode.SEVERAL_FILES)
     return replace(report, flags=kept)
-
-
-def _doubt(
-    keeping: _Keeping, file: str, deadline: datetime | None, waived: Sequence[Waiver]
-) -> tuple[Flag, ...]:
-    """Flag a work whose lateness depends on which of two moments its time means."""
-    time, rule = keeping.times.get(file), keeping.context.policy.late
-    if time is None or time.later is None or time.doubt is None:
-        return ()
-    waiver = waived[-1] if waived else None
-    fewer, more = (lateness(at, deadline, waiver, rule) for at in (time.at, time.later))
-    if fewer == more:
-        return ()
-    what, remedy = time.doubt
-    said = message(
-        "{what} The work was handed in then: days late by the earlier moment {fewer}, by the later"
-        " one {more}. The earlier one counts until somebody says when it was handed in. {remedy}",
-        what=what,
-        fewer=fewer[0],
-        more=more[0],
-        remedy=remedy,
-    )
-    return (Flag(FlagCode.TIME_DOUBTFUL, said),)
-
-
-def _two_times(works: Sequence[StudentWork], report: Report, keeping: _Keeping) -> Iterator[Flag]:
-    """Flag a work that was handed in at two times, as was said under two ids of one person."""
-    for work in works:
-        if work.digest != report.digest or not work.of_two:
-            continue
-        ids = ", ".join(one.student for one in keeping.context.joins if one.person == work.student)
-        said = message(
-            "Under two ids of one person, {ids} and {student}, two times were said at which the"
-            " work was handed in. The earlier one counts until somebody says when it was.",
-            ids=ids,
-            student=work.student,
-        )
-        yield Flag(FlagCode.TIME_DOUBTFUL, said)
-
-
-def _timed(attempt: Attempt, handed_in: HandingTime | None) -> Attempt:
-    if handed_in is None:
-        return attempt
-    return replace(attempt, handed_in=handed_in.at, handed_in_said=handed_in.said)
-
-
-def _under_its_sheet(attempt: Attempt, context: GradingContext) -> Attempt:
-    """Return a work that is to be kept under the id whose sheet it was made for.
-
-    So it goes with the sheet where two who were joined are two again.
-    """
-    sheets = context.earlier.get(attempt.student, ()) if context.joins else ()
-    made_for = (attempt.variant, attempt.version)
-    kept_as = (one.issued_as for one in sheets if (one.variant.id, one.version) == made_for)
-    return replace(attempt, kept_as=next(kept_as, ""))
 
 
 def _to_add(
