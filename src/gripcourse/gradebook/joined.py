@@ -11,7 +11,7 @@ from itertools import groupby
 
 from gripcourse.gradebook.model import Attempt, GradebookEntry, same_decision
 from gripcourse.gradebook.timing import Waiver
-from gripcourse.issuing.withdrawal import Join
+from gripcourse.issuing.withdrawal import Join, Withdrawal
 
 _NEXT = timedelta(microseconds=1)  # as finely as databases keep moments
 
@@ -23,6 +23,15 @@ def family(students: Iterable[str], joins: Sequence[Join]) -> frozenset[str]:
     for join in reversed(joins):
         if join.person in found:
             found.add(join.student)
+    return frozenset(found)
+
+
+def ever_joined(student: str, withdrawals: Iterable[Withdrawal]) -> frozenset[str]:
+    """Return the ids that were ever joined with a student's, taken back or not, and that one."""
+    pairs = [{one.student, one.same_as} for one in withdrawals if one.same_as]
+    found = {student}
+    for _ in pairs:
+        found.update(*(pair for pair in pairs if pair & found))
     return frozenset(found)
 
 

@@ -46,9 +46,10 @@ def check(
     """
     if file is None:
         return NO_FILE
-    known = checks_of(site.context.desk, student, site.context.joins())
+    joins = site.context.joins()
+    known = checks_of(site.context.desk, student, joins)
     count(site, CHECKS, student, (one.at for one in known))
-    found = site.checkers.do(CheckJob(file, student, words.language))
+    found = site.checkers.do(CheckJob(file, family({student}, joins), words.language))
     if isinstance(found, Lost):
         said = message("This file could not be read within the limits of the server.")
         return WebRefusal(Code.BEYOND_LIMITS, said)

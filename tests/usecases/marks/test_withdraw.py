@@ -13,7 +13,7 @@ from gripcourse.batch.one_file import grade_file
 from gripcourse.cli.demo.students import correct
 from gripcourse.errors import UsageError
 from gripcourse.gradebook.enter import Draft
-from gripcourse.grading.model import KnownBy, Report
+from gripcourse.grading.model import KnownBy, Outcome, Report
 from gripcourse.issuing.reissue import Correction
 from gripcourse.issuing.withdrawal import Withdrawal
 from gripcourse.machine.database.home import home_of
@@ -29,6 +29,7 @@ from gripcourse.usecases.marks.withdraw import withdraw
 from gripcourse.usecases.serving.desk import open_books
 from gripcourse.usecases.serving.links import make_links, open_link, revoke_links, token_of
 from gripcourse.variants.model import Issued
+from support.classroom import forget_one_jaw
 
 if TYPE_CHECKING:
     from support.classroom import Classroom
@@ -71,6 +72,19 @@ def test_a_work_on_the_second_sheet_is_the_persons_and_is_judged_by_that_sheet(
     assert report.score == alone.score > 0
     assert "issued to s03, which was joined with s01" in str(report.remarks[0])
     assert {one.id for one in missing([report], open_grading(root))} == {"s02"}
+
+
+def test_of_a_work_on_the_second_sheet_mistakes_are_named_and_followed_as_of_any(
+    issued: "Classroom", root: Path, tmp_path: Path
+) -> None:
+    file = issued.hand_in("s03", forget_one_jaw, tmp_path / "ответы.xlsx")
+    (alone,) = graded(root, file)
+    join(root)
+    # Of the program's own: nothing that the gradebook keeps decides.
+    (report,) = (grade_file(one, open_grading(root)) for one in [file])
+    found = [(one.quantity, one.outcome, one.points, one.slip) for one in report.findings]
+    assert found == [(one.quantity, one.outcome, one.points, one.slip) for one in alone.findings]
+    assert {Outcome.SLIP, Outcome.CARRIED} <= {one.outcome for one in report.findings}
 
 
 def test_a_work_on_the_first_sheet_is_judged_as_ever(

@@ -1,6 +1,7 @@
 """Publishing results: a copy that stays as it was, whatever is graded afterwards."""
 
 import json
+from collections.abc import Sequence
 from dataclasses import dataclass
 from datetime import datetime
 from pathlib import Path
@@ -8,8 +9,9 @@ from pathlib import Path
 from gripcourse.access.desk.model import Publication
 from gripcourse.errors import NextStep, Problem, UsageError
 from gripcourse.exports.report_result import GradesResult, ReportResult
-from gripcourse.gradebook.joined import family
+from gripcourse.gradebook.joined import ever_joined, family
 from gripcourse.gradebook.journal import Signed
+from gripcourse.gradebook.store import Gradebook
 from gripcourse.grading.model import KnownBy
 from gripcourse.issuing.withdrawal import persons_of
 from gripcourse.machine.database.home import home_of
@@ -123,20 +125,43 @@ def current(context: DeskContext) -> Publication | None:
 def published_to(context: DeskContext, student: str) -> ShownResult | None:
     """Return what a student of the register may see; None where nothing is published.
 
-    What was published under an id that was joined with the student's is the student's, too. Where
+    What was published under an id that was joined with the student's is the student's, too, and
+    what was published while two were joined goes with the work where they are two again. Where
     there are results under several, it is the one of the work that counts, else the student's own.
     """
     publication = current(context)
     if publication is None:
         return None
     folder = _folder(context, publication.number)
-    others = sorted(family({student}, context.joins()) - {student})
+    register = context.issued.read()
+    others = sorted(ever_joined(student, register.withdrawals) - {student})
     found = [one for id_ in (student, *others) if (one := _shown(folder, id_)) is not None]
+    if others:
+        found = [one for one in found if _is_of(one.report, student, others, context)]
     if len(found) > 1:
         counted = counted_works(context, {student}).get(student)
         digest = "" if counted is None else counted.attempt.digest
         found.sort(key=lambda one: one.report.digest != digest)
     return found[0] if found else None
+
+
+def _is_of(report: ReportResult, student: str, others: Sequence[str], context: DeskContext) -> bool:
+    """Tell whether a result that was published is a student's, as ids are joined now.
+
+    Args:
+        report: that was published under the student's id, or one of the others.
+        student: id.
+        others: ids that were ever joined with it.
+        context: of the course.
+    """
+    joins = context.joins()
+    book = Gradebook(context.desk.engine, joins)
+    works = {(one.student, one.digest) for one in book.attempts({student, *others})}
+    if (student, report.digest) in works:
+        return True
+    # Of what no gradebook knows the id alone tells whose it is.
+    is_known = any(digest == report.digest for _, digest in works)
+    return not is_known and report.student in family({student}, joins)
 
 
 def _shown(folder: Path, id_: str) -> ShownResult | None:
