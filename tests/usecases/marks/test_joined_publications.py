@@ -131,6 +131,20 @@ def test_of_the_same_bytes_under_both_ids_the_result_told_last_stands(
     assert last.student == "s01"
 
 
+def test_results_that_differ_under_both_ids_are_said(
+    office: Office, works: dict[str, Path]
+) -> None:
+    office.grade(works["s01"])
+    office.grade(works["s03"])
+    office.publish("s03")
+    assert not office.join().told_twice
+    office.join(undo=True)
+    office.publish("s01")
+    done = office.join()
+    assert done.told_twice
+    assert str(done.notes[-1]).startswith("s01 was told different results: s01 ")
+
+
 def test_works_of_both_ids_are_counted_together(office: Office, works: dict[str, Path]) -> None:
     office.grade(works["s01"])
     office.grade(works["s03"])
@@ -199,23 +213,26 @@ def test_a_time_that_was_said_under_the_second_id_is_that_of_the_work(
     assert days_late(office, file) == 1
 
 
+@pytest.mark.parametrize("published", [False, True])
 def test_of_two_times_of_one_file_the_earlier_counts_until_a_person_says_it(
-    office: Office, works: dict[str, Path]
+    office: Office, works: dict[str, Path], *, published: bool
 ) -> None:
     file, said = works["s03"], late(office, earlier=1, later=3)
     office.grade(file, times={str(file): said["earlier"]})
     office.grade(file, times={str(file): said["later"]}, whose="s01")
+    if published:
+        office.publish()
     office.join()
     (report,) = office.grade(file)
     assert report.timing is not None
     assert report.timing.days_late == 1
     (flag,) = (one for one in report.flags if one.code is FlagCode.TIME_DOUBTFUL)
     assert "s03" in str(flag.message)
-    office.grade(file, times={str(file): said["later"]})
-    (report,) = office.grade(file)
-    assert report.timing is not None
-    assert report.timing.days_late == 3
-    assert FlagCode.TIME_DOUBTFUL not in {one.code for one in report.flags}
+    for times in ({str(file): said["later"]}, {}):
+        (report,) = office.grade(file, times=times)
+        assert report.timing is not None
+        assert report.timing.days_late == 3
+        assert FlagCode.TIME_DOUBTFUL not in {one.code for one in report.flags}
 
 
 def test_a_row_of_deadlines_for_either_id_is_the_persons(

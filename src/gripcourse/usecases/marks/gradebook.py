@@ -252,6 +252,7 @@ def _to_add(
                     graded_at=one.graded_at,
                     handed_in=one.handed_in,
                     handed_in_said=True,
+                    other_time=None,
                 )
             )
     return kept
