@@ -1,5 +1,6 @@
 """A deadline is that of the student, else of the group, else of everybody, in the course's zone."""
 
+from dataclasses import replace
 from datetime import UTC, date, datetime
 from pathlib import Path
 from zoneinfo import ZoneInfo
@@ -182,3 +183,18 @@ def test_a_course_whose_table_cannot_be_used_is_told_so_whatever_lateness_costs(
         course_deadlines(tmp_path, rule)
     path.write_text("student,deadline\ns01,2026-12-08\n", encoding="utf-8")
     assert len(course_deadlines(tmp_path, rule)) == (0 if rule is None else 1)
+
+
+def test_who_is_listed_under_two_ids_has_the_latest_of_their_deadlines() -> None:
+    rows = table("group,student,deadline\nG1,,2026-12-01\nG2,,2026-12-05\n,s03,2026-11-20\n")
+    twice = replace(issued("s01", "G1"), joined=(issued("s02", "G2").student,))
+    assert deadline_of(twice, rows, KYIV) == deadline_of(issued("s02", "G2"), rows, KYIV)
+    # An earlier day for the second id takes nothing from the first.
+    other = replace(issued("s01", "G1"), joined=(issued("s03", "G2").student,))
+    assert deadline_of(other, rows, KYIV) == deadline_of(issued("s01", "G1"), rows, KYIV)
+
+
+def test_a_row_for_the_second_id_is_a_deadline_where_nothing_else_says_one() -> None:
+    rows = table("student,deadline\ns02,2026-12-05\n")
+    twice = replace(issued("s01", "G1", None), joined=(issued("s02", "G1").student,))
+    assert deadline_of(twice, rows, KYIV) == rows[0].at

@@ -154,7 +154,7 @@ class TestJoining:
         said(root, "petrova", "anna")
         with pytest.raises(UsageError, match="joined with anna already: Order 12"):
             said(root, "petrova", "vera")
-        with pytest.raises(UsageError, match="no student 'petrova'"):
+        with pytest.raises(UsageError, match="Name the id of the entry that the person keeps"):
             said(root, "vera", "petrova")
 
     def test_without_a_reason_it_is_refused(self, root: Path) -> None:

@@ -11,6 +11,7 @@ from gripcourse.issuing.withdrawal import Withdrawal
 from gripcourse.machine.database.home import home_of
 from gripcourse.usecases.marks.withdraw import withdraw
 from gripcourse.usecases.serving.hand_in import collect_hand_ins
+from gripcourse.usecases.serving.taken import checks_of
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -102,3 +103,34 @@ def test_of_both_ids_the_last_workbook_is_collected_and_called_like_the_person(
     send(server, "s01", b"PK later")
     collect_hand_ins(server.context, tmp_path / "two")
     assert (tmp_path / "two" / "s01.xlsx").read_bytes() == b"PK later"
+
+
+def test_a_workbook_of_the_second_sheet_is_checked_as_the_persons_own(
+    server: "Server", tmp_path: "Path"
+) -> None:
+    upload = {"file": ("работа.xlsx", server.filled("s03", tmp_path))}
+    check, client = f"{server.home('s01')}check", server.client()
+    of_another = "Эта книга выдана другому студенту"
+    assert of_another in client.post(check, files=upload).text
+    join(server)
+    try:
+        assert of_another not in client.post(check, files=upload).text
+    finally:
+        join(server, undo=True)
+
+
+def test_self_checks_of_the_second_id_are_the_persons(server: "Server") -> None:
+    desk = server.context.desk
+    own, of_second = len(desk.checks("s01")), len(desk.checks("s03"))
+    desk.log_check("s03", "0" * 64, None, server.clock.now)
+
+    def checks(student: str) -> int:
+        return len(checks_of(desk, student, server.context.joins()))
+
+    assert checks("s01") == own
+    join(server)
+    try:
+        assert checks("s01") == own + of_second + 1
+    finally:
+        join(server, undo=True)
+    assert (checks("s01"), checks("s03")) == (own, of_second + 1)

@@ -24,10 +24,13 @@ class WithdrawResult:
         notes: what it comes to, and what is left to do, in the language of the course.
         disputed: quantities that were marked by hand, otherwise, under both ids: somebody should
             mark them again.
+        told_twice: whether results were published under both ids that differ: somebody should look
+            which of the works counts.
     """
 
     notes: tuple[str, ...]
     disputed: tuple[str, ...]
+    told_twice: bool = False
 
 
 @refusals_said
@@ -61,7 +64,8 @@ def withdraw(  # noqa: PLR0913 (the last ones are for those who need them)
 
     place = home_of(course.root) if gradebook is None else place_of(gradebook)
     done = enter(Withdrawal(student, same_as, undo, why, by, datetime.now(UTC)), course.root, place)
-    return WithdrawResult(tuple(map(course.words.say, done.notes)), done.disputed)
+    said = tuple(map(course.words.say, done.notes))
+    return WithdrawResult(said, done.disputed, done.told_twice)
 
 
 def joins_said_by(course: Course | None) -> "tuple[Join, ...]":

@@ -153,11 +153,13 @@ def table(
     """Write results by student, section and quantity, and what they say about the assignment."""
     from gripcourse.usecases.publishing.exporting import open_results, table_files
 
-    words_for(language)
+    words = words_for(language)
     root = course_folder(course)
-    place = gradebook_place(gradebook, root)
-    for path in table_files(open_results(root, grades), out, place):
+    place, results = gradebook_place(gradebook, root), open_results(root, grades)
+    for path in table_files(results, out, place):
         confirm(str(path))
+    if results.outdated:
+        _leave(results.outdated, words)
 
 
 @app.command("outbox", cls=SpokenCommand)

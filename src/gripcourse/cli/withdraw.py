@@ -56,4 +56,4 @@ def withdraw(  # noqa: PLR0913 (one parameter per option)
     done = enter(wanted, root, gradebook_place(gradebook, root))
     for said in done.notes:
         confirm(words.say(said))
-    raise typer.Exit(NEEDS_PERSON if done.disputed else DONE)
+    raise typer.Exit(NEEDS_PERSON if done.disputed or done.told_twice else DONE)

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 from gripcourse.exports.report_result import GradesResult, ReportResult
 from gripcourse.gradebook.journal import Regrade
 from gripcourse.gradebook.model import Attempt
+from gripcourse.gradebook.works import in_order, works_of
 from gripcourse.grading.analytics.difficulty import difficulty_table
 from gripcourse.grading.analytics.reliability import reliability_table
 from gripcourse.grading.analytics.shares import item_table, score_table, share_table
@@ -92,21 +93,18 @@ def _mistakes(report: ReportResult) -> Iterator[tuple[str, str]]:
 
 def _times(attempts: Sequence[Attempt]) -> list[tuple[Any, ...]]:
     """Return a row for each work, in the order in which a student's works came."""
-    works: dict[str, dict[str, Attempt]] = defaultdict(dict)
-    for one in attempts:
-        # Graded again it is the same work; what is known of its time may have been said later.
-        works[one.student][one.digest] = one
+    said: set[_Key] = {(one.student, one.digest) for one in attempts if one.handed_in_said}
     return [
         (
             student,
             number,
-            len(all_),
-            "" if one.handed_in is None else one.handed_in.isoformat(),
-            one.handed_in_said,
-            one.graded_at.isoformat(),
+            len(works),
+            "" if work.handed_in is None else work.handed_in.isoformat(),
+            (student, work.digest) in said,
+            work.attempt.graded_at.isoformat(),
         )
-        for student, all_ in sorted(works.items())
-        for number, one in enumerate(all_.values(), start=1)
+        for student, works in sorted(works_of(attempts).items())
+        for number, work in enumerate(in_order(works), start=1)
     ]
 
 
@@ -121,7 +119,7 @@ def _regrades(attempts: Sequence[Attempt], undone: set[int]) -> list[tuple[Any, 
             old, new = _shares(before), _shares(one)
             for quantity in old.keys() & new.keys():
                 pairs[one.regrade, quantity].append((old[quantity], new[quantity]))
-        if one.regrade not in undone:
+        if one.regrade not in undone and not one.outranked:
             stands[key] = one
     return [
         (

@@ -61,16 +61,23 @@ def deadline_by_rule(
 
 
 def deadline_of(issued: Issued, rows: tuple[Deadline, ...], zone: ZoneInfo) -> datetime | None:
-    """Return the deadline of a student: the nearest row, else the day that was issued with."""
-    student = issued.student
+    """Return the deadline of a student: the nearest row, else the day that was issued with.
+
+    Who is listed under several ids, in several groups perhaps, has the latest of their deadlines.
+    """
+    day = issued.deadline
+    issued_with = None if day is None else last_of(datetime.combine(day, END_OF_DAY, zone))
+    found = (_nearest(one, rows) or issued_with for one in (issued.student, *issued.joined))
+    return max((at for at in found if at is not None), default=None, key=datetime.timestamp)
+
+
+def _nearest(student: Student, rows: tuple[Deadline, ...]) -> datetime | None:
     wanted = ((student.group, student.id), ("", student.id), (student.group, ""), ("", ""))
     for group, name in wanted:
         for row in rows:
             if (row.group, row.student) == (group, name):
                 return row.at
-    if issued.deadline is None:
-        return None
-    return last_of(datetime.combine(issued.deadline, END_OF_DAY, zone))
+    return None
 
 
 def last_of(deadline: datetime) -> datetime:

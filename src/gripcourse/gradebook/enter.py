@@ -108,6 +108,7 @@ def mark_of(
         marker=marker,
         marked_at=now,
         comment=draft.comment,
+        kept_as=attempt.kept_as,
     )
     return mark, ()
 

@@ -9,9 +9,9 @@ from dataclasses import replace
 from datetime import datetime, timedelta
 from itertools import groupby
 
-from gripcourse.gradebook.model import GradebookEntry, same_decision
+from gripcourse.gradebook.model import Attempt, GradebookEntry, same_decision
 from gripcourse.gradebook.timing import Waiver
-from gripcourse.issuing.withdrawal import Join
+from gripcourse.issuing.withdrawal import Join, Withdrawal
 
 _NEXT = timedelta(microseconds=1)  # as finely as databases keep moments
 
@@ -23,6 +23,15 @@ def family(students: Iterable[str], joins: Sequence[Join]) -> frozenset[str]:
     for join in reversed(joins):
         if join.person in found:
             found.add(join.student)
+    return frozenset(found)
+
+
+def ever_joined(student: str, withdrawals: Iterable[Withdrawal]) -> frozenset[str]:
+    """Return the ids that were ever joined with a student's, taken back or not, and that one."""
+    pairs = [{one.student, one.same_as} for one in withdrawals if one.same_as]
+    found = {student}
+    for _ in pairs:
+        found.update(*(pair for pair in pairs if pair & found))
     return frozenset(found)
 
 
@@ -58,18 +67,31 @@ def _with_carried(
 ) -> tuple[GradebookEntry, ...]:
     """Return the marks of an item of a person, with the one that counted under a joined id."""
     last = own[-1] if own else None
-    if given.mark.credit is None or (last is not None and last.mark.marked_at > join.at):
+    since = [one for one in (last, given) if one is not None and one.mark.marked_at > join.at]
+    if since:
+        # What was decided since is about both, whichever work it was entered against.
+        decided = max(since, key=lambda one: one.mark.marked_at)
+        return own if decided is last else (*own, _carried(given, last, join))
+    if given.mark.credit is None:
         return own
     if last is None or last.mark.credit is None:
-        number = 1 if last is None else last.mark.number + 1
-        mark = replace(given.mark, student=join.person, number=number)
-        return (*own, replace(given, mark=mark, given_to=given.given_to or join.student))
+        return (*own, _carried(given, last, join))
     rivals = tuple(
-        replace(one, given_to=one.given_to or join.student)
+        _carried(one, None, join)
         for one in (given, *given.rivals)
         if not same_decision(one.mark, last.mark)
     )
     return (*own[:-1], replace(last, rivals=(*last.rivals, *rivals)))
+
+
+def _carried(given: GradebookEntry, last: GradebookEntry | None, join: Join) -> GradebookEntry:
+    mark = replace(
+        given.mark,
+        student=join.person,
+        number=1 if last is None else last.mark.number + 1,
+        kept_as=given.mark.kept_under,
+    )
+    return replace(given, mark=mark)
 
 
 def waivers_of_persons(
@@ -100,14 +122,30 @@ def _is_more_generous(one: Waiver, other: Waiver) -> bool:
     return one.until > other.until
 
 
-def not_before_joining(student: str, joins: Iterable[Join], now: datetime) -> datetime:
-    """Return when a person decides: after the joining, also where the clock was set back since."""
-    return max([now, *(one.at + _NEXT for one in joins if one.person == student)])
+def not_before_joining(
+    student: str, joins: Iterable[Join], now: datetime, before: GradebookEntry | None = None
+) -> datetime:
+    """Return when a person decides: after the joining, also where the clock was set back since.
+
+    Args:
+        student: who was joined with.
+        joins: that stand.
+        now: by the clock.
+        before: the mark that counts up to now; None for none.
+    """
+    of_student = [one.at for one in joins if one.person == student]
+    if of_student and before is not None:
+        of_student.append(before.mark.marked_at)
+    return max([now, *(one + _NEXT for one in of_student)])
 
 
-def joining_after(entries: Iterable[GradebookEntry], now: datetime) -> datetime:
-    """Return when ids are joined: not before anything that was decided of them."""
-    return max([now, *(one.mark.marked_at for one in entries)])
+def joining_after(
+    entries: Iterable[GradebookEntry], attempts: Iterable[Attempt], now: datetime
+) -> datetime:
+    """Return when ids are joined: not before anything that was decided or found of them."""
+    return max(
+        [now, *(one.mark.marked_at for one in entries), *(one.graded_at for one in attempts)]
+    )
 
 
 def _item(one: GradebookEntry) -> tuple[str, str]:

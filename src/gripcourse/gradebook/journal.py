@@ -19,6 +19,7 @@ from gripcourse.gradebook.store import Gradebook, Writing, attempt_rows
 from gripcourse.gradebook.timing import Waiver
 from gripcourse.gradebook.works import StudentWork
 from gripcourse.grading.model import PointSums
+from gripcourse.issuing.withdrawal import persons_of
 from gripcourse.machine.database.moments import in_utc, stored
 from gripcourse.machine.database.opening import refusals_named
 from gripcourse.machine.database.storable import in_code_order
@@ -58,6 +59,8 @@ class Published:
         attempt: number of the attempt that stood then.
         points, max_points: with the marks that counted then.
         signed: by whom and when.
+        kept_as: id under which the attempt is kept, where that was joined with the student's; else
+            empty.
     """
 
     number: int
@@ -66,6 +69,12 @@ class Published:
     points: float
     max_points: float
     signed: Signed
+    kept_as: str = ""
+
+    @property
+    def key(self) -> tuple[str, int]:
+        """The id under which the attempt is kept, and its number there."""
+        return self.kept_as or self.student, self.attempt
 
 
 def regrades(book: Gradebook) -> tuple[Regrade, ...]:
@@ -142,7 +151,7 @@ def keep_undoing(book: Gradebook, signed: Signed) -> tuple[Regrade, ...]:
 
 
 def publications(book: Gradebook) -> tuple[Published, ...]:
-    """Return what students were told, oldest first.
+    """Return what students were told, oldest first; what an id was told that was joined, too.
 
     Raises:
         GradebookError: the database failed.
@@ -152,10 +161,12 @@ def publications(book: Gradebook) -> tuple[Published, ...]:
     question = select(schema.publications).order_by(*columns)
     with refusals_named(book.place), book.engine.connect() as connection:
         found = list(connection.execute(question).mappings())
+    persons = persons_of(book.joins)
     return tuple(
         Published(
             number=row["number"],
-            student=row["student"],
+            student=persons.get(row["student"], row["student"]),
+            kept_as=row["student"] if row["student"] in persons else "",
             attempt=row["attempt"],
             points=row["points"],
             max_points=row["max_points"],
@@ -176,17 +187,21 @@ def keep_publication(
 
     def fresh() -> tuple[Published, ...]:
         before = publications(book)
-        known = {
-            (student, attempt): list(group)[-1].points
-            for (student, attempt), group in groupby(
-                sorted(before, key=_key), key=lambda one: (one.student, one.attempt)
-            )
-        }
+        # The last one of each attempt.
+        known = {one.key: one.points for one in before}
         number = max((one.number for one in before), default=0) + 1
         return tuple(
-            Published(number, work.student, work.attempt.number, sums.score, sums.max_score, signed)
+            Published(
+                number,
+                work.student,
+                work.attempt.number,
+                sums.score,
+                sums.max_score,
+                signed,
+                work.attempt.kept_as,
+            )
             for work, sums in told.items()
-            if known.get((work.student, work.attempt.number)) != sums.score
+            if known.get(work.attempt.key) != sums.score
         )
 
     return book.add(
@@ -213,13 +228,8 @@ def told_works(
         told: what students were told.
         attempts: all attempts of these students.
     """
-    digests = {(one.student, one.number): one.digest for one in attempts}
-    keys = ((one.student, one.attempt) for one in told)
-    return frozenset(
-        (student, digests[student, number])
-        for student, number in keys
-        if (student, number) in digests
-    )
+    digests = {one.key: one.digest for one in attempts}
+    return frozenset((one.student, digests[one.key]) for one in told if one.key in digests)
 
 
 def waivers(book: Gradebook) -> dict[str, tuple[Waiver, ...]]:
@@ -277,10 +287,6 @@ def _waiver_row(one: Waiver) -> Row:
     }
 
 
-def _key(one: Published) -> tuple[str, int, int]:
-    return one.student, one.attempt, one.number
-
-
 def _next_regrade(book: Gradebook) -> int:
     return max((one.number for one in regrades(book)), default=0) + 1
 
@@ -296,10 +302,11 @@ def _regrade_row(one: Regrade) -> Row:
 
 
 def _published_row(one: Published) -> Row:
+    student, attempt = one.key
     return {
         "number": one.number,
-        "student": one.student,
-        "attempt": one.attempt,
+        "student": student,
+        "attempt": attempt,
         "person": one.signed.person,
         "done_at": stored(one.signed.done_at),
         "points": one.points,

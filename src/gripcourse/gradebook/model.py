@@ -42,6 +42,11 @@ class Attempt:
         handed_in_said: whether a person says so.
         version: of the student's assignment, that it was judged by.
         either_version: whether several versions were tried, of which the best one counts.
+        kept_as: id under which it is kept, where that was joined with the student's; else empty.
+        outranked: whether another one of the same bytes stands, that is kept under another id of
+            the student.
+        other_time: the earlier of two times at which the same bytes were handed in, as was said
+            under two ids of the student; None where they agree, or somebody has said it since.
     """
 
     student: str
@@ -59,6 +64,14 @@ class Attempt:
     handed_in_said: bool = False
     version: int = 1
     either_version: bool = False
+    kept_as: str = ""
+    outranked: bool = False
+    other_time: datetime | None = None
+
+    @property
+    def key(self) -> tuple[str, int]:
+        """The id under which it is kept, and its number there."""
+        return self.kept_as or self.student, self.number
 
     @property
     def by_quantity(self) -> Mapping[str, Result]:
@@ -79,6 +92,8 @@ class Mark:
         marker: who decided.
         marked_at: when.
         comment: for the student, in the marker's words; empty for none.
+        kept_as: id under which it is kept, where that was joined with the student's; else empty. It
+            is the id under which the attempt is kept.
     """
 
     student: str
@@ -90,6 +105,17 @@ class Mark:
     marker: str
     marked_at: datetime
     comment: str
+    kept_as: str = ""
+
+    @property
+    def kept_under(self) -> str:
+        """The id under which it is kept."""
+        return self.kept_as or self.student
+
+    @property
+    def key(self) -> tuple[str, int]:
+        """The id under which its attempt is kept, and the number of that."""
+        return self.kept_under, self.attempt
 
     @property
     def supersedes(self) -> int | None:
@@ -103,14 +129,12 @@ class GradebookEntry:
 
     Attributes:
         mark, attempt: these.
-        given_to: the id under which it was given, where that was joined with the student's since.
         rivals: other marks of the same item of the same person, who had two ids when they were
             given: this one counts until a person decides.
     """
 
     mark: Mark
     attempt: Attempt
-    given_to: str = ""
     rivals: tuple["GradebookEntry", ...] = ()
 
 
@@ -140,7 +164,9 @@ def attempt_of(report: Report, graded_at: datetime, fingerprints: Fingerprints) 
 
 def says_the_same(one: Attempt, other: Attempt) -> bool:
     """Tell whether an attempt came to the same as an earlier one, and says no other time."""
-    same_time = not other.handed_in_said or other.handed_in == one.handed_in
+    same_time = not other.handed_in_said or (
+        other.handed_in == one.handed_in and one.other_time is None
+    )
     same_version = (one.version, one.either_version) == (other.version, other.either_version)
     same_judgement = same_version and one.judged == other.judged
     return same_time and same_judgement and same_results(one.results, other.results)
@@ -176,7 +202,7 @@ def same_decision(one: Mark, other: Mark) -> bool:
 def share_given(entry: GradebookEntry) -> str:
     """Write under which id a mark was given, and the share of the points that it earns."""
     share = (entry.mark.credit or 0.0) * 100
-    return f"{entry.given_to or entry.mark.student} {share:.4g}\N{NO-BREAK SPACE}%"
+    return f"{entry.mark.kept_under} {share:.4g}\N{NO-BREAK SPACE}%"
 
 
 def is_outdated(entry: GradebookEntry, digest: str, results: Collection[Result]) -> bool:

@@ -2,6 +2,7 @@
 
 from collections.abc import Collection, Iterator
 from dataclasses import replace
+from datetime import datetime
 from itertools import groupby
 from operator import itemgetter
 from typing import Any, Final
@@ -11,6 +12,7 @@ from sqlalchemy import Connection, Row, Select, Table, select
 from gripcourse.gradebook import rows, schema
 from gripcourse.gradebook.model import Attempt
 from gripcourse.gradebook.results import Result
+from gripcourse.machine.database.moments import in_utc
 from gripcourse.machine.database.storable import in_code_order
 
 _ASKED_AT_ONCE: Final = 50  # students in one question; databases bound how many
@@ -53,6 +55,14 @@ def read_results(connection: Connection, attempt: Attempt) -> tuple[Result, ...]
         .order_by(column.place)
     )
     return rows.results_of_rows(connection.execute(question))
+
+
+def read_told(connection: Connection, students: Collection[str]) -> dict[tuple[str, int], datetime]:
+    """Return by id and number of each attempt of ids when its student was told of it last."""
+    one = schema.publications.c
+    question = select(one.student, one.attempt, one.done_at).order_by(one.done_at)
+    found = answers(connection, question, schema.publications, students)
+    return {(row.student, row.attempt): in_utc(row.done_at) for row in found}
 
 
 def answers(

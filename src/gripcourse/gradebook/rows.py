@@ -17,9 +17,10 @@ RowOfTable: TypeAlias = SqlRow[Any]
 
 def attempt_row(attempt: Attempt) -> Row:
     """Return the row of an attempt, without its results."""
+    student, number = attempt.key
     return {
-        "student": attempt.student,
-        "number": attempt.number,
+        "student": student,
+        "number": number,
         "variant": attempt.variant,
         "scheme": attempt.scheme,
         "file": attempt.file,
@@ -40,10 +41,11 @@ def attempt_row(attempt: Attempt) -> Row:
 
 def result_rows(attempt: Attempt) -> Iterator[Row]:
     """Yield the rows of an attempt's results."""
+    student, number = attempt.key
     for place, result in enumerate(attempt.results, start=1):
         yield {
-            "student": attempt.student,
-            "attempt": attempt.number,
+            "student": student,
+            "attempt": number,
             "place": place,
             "quantity": result.quantity,
             "outcome": result.outcome.value,
@@ -55,7 +57,7 @@ def result_rows(attempt: Attempt) -> Iterator[Row]:
 def mark_row(mark: Mark) -> Row:
     """Return the row of a mark, without its lines."""
     return {
-        "student": mark.student,
+        "student": mark.kept_under,
         "quantity": mark.quantity,
         "number": mark.number,
         "supersedes": mark.supersedes,
@@ -71,7 +73,7 @@ def line_rows(mark: Mark) -> Iterator[Row]:
     """Yield the rows of a mark's lines."""
     for line, credit in mark.lines.items():
         yield {
-            "student": mark.student,
+            "student": mark.kept_under,
             "quantity": mark.quantity,
             "mark": mark.number,
             "line": line,

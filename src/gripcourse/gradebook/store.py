@@ -16,9 +16,16 @@ from sqlalchemy import Engine, Table, and_, select
 from gripcourse.errors import GradebookError, Problem
 from gripcourse.gradebook import rows, schema
 from gripcourse.gradebook.joined import family, marks_of_persons
+from gripcourse.gradebook.joined_works import attempts_of_persons
 from gripcourse.gradebook.model import Attempt, GradebookEntry, Mark
 from gripcourse.gradebook.numbering import new_attempts, new_marks
-from gripcourse.gradebook.reading import answers, read_attempts, read_heads, read_results
+from gripcourse.gradebook.reading import (
+    answers,
+    read_attempts,
+    read_heads,
+    read_results,
+    read_told,
+)
 from gripcourse.gradebook.results import Result, ResultsToRead
 from gripcourse.issuing.withdrawal import Join
 from gripcourse.machine.database.adding import add_many
@@ -46,8 +53,8 @@ class Gradebook:
 
     Attributes:
         engine: of its database; each call takes a connection of its own.
-        joins: which ids stand for one person, oldest first; marks and waivers are read as those of
-            the person.
+        joins: which ids stand for one person, oldest first; works, marks, publications and waivers
+            are read as those of the person.
     """
 
     engine: Engine
@@ -100,10 +107,17 @@ class Gradebook:
         students = {one.student for one in marks}
 
         def fresh() -> tuple[Mark, ...]:
-            known = [entry.mark for entry in self._kept_entries(students, None)]
-            entries = self.entries(students) if self.joins else ()
-            disputed = {(one.mark.student, one.mark.quantity) for one in entries if one.rivals}
-            return new_marks(marks, known, disputed)
+            kept = self._kept_entries(family(students, self.joins), None)
+            counting = {
+                (one.mark.student, one.mark.quantity): one
+                for one in (marks_of_persons(kept, self.joins) if self.joins else kept)
+            }
+            return new_marks(
+                marks,
+                [one.mark for one in kept],
+                {item: one.mark for item, one in counting.items()},
+                {item for item, one in counting.items() if one.rivals},
+            )
 
         return self.add(
             fresh,
@@ -115,14 +129,35 @@ class Gradebook:
 
     def attempts(self, students: Collection[str] | None = None) -> tuple[Attempt, ...]:
         """Return the attempts of these students (all where None), oldest first for each."""
+        return self._of_persons(self._kept_attempts, students)
+
+    def _kept_attempts(self, students: Collection[str] | None) -> tuple[Attempt, ...]:
         with refusals_named(self.place), self.engine.connect() as connection:
             return read_attempts(connection, students)
+
+    def _of_persons(
+        self,
+        read: Callable[[Collection[str] | None], tuple[Attempt, ...]],
+        students: Collection[str] | None,
+    ) -> tuple[Attempt, ...]:
+        """Return attempts of persons, of whatever ids they were kept under."""
+        if not self.joins:
+            return read(students)
+        wanted = None if students is None else family(students, self.joins)
+        kept = read(wanted)
+        with refusals_named(self.place), self.engine.connect() as connection:
+            told = read_told(connection, family((one.person for one in self.joins), self.joins))
+        found = attempts_of_persons(kept, self.joins, told)
+        return tuple(one for one in found if students is None or one.student in students)
 
     def unread_attempts(self, students: Collection[str]) -> tuple[Attempt, ...]:
         """Return the attempts of these students, the results of each read when somebody looks.
 
         Each is another question then: of whom it is clear that somebody will, ask `attempts`.
         """
+        return self._of_persons(self._unread_attempts, students)
+
+    def _unread_attempts(self, students: Collection[str] | None) -> tuple[Attempt, ...]:
         with refusals_named(self.place), self.engine.connect() as connection:
             return tuple(
                 replace(one, results=ResultsToRead(digest, partial(self._results, one)))
@@ -184,10 +219,10 @@ class Gradebook:
                     found, key=lambda row: (row.student, row.quantity, row.number)
                 )
             ]
-        kept = {(one.student, one.number): one for one in known or ()}
+        kept = {one.key: one for one in known or ()}
         if any((mark.student, mark.attempt) not in kept for mark in marks):
-            attempts = self.attempts({mark.student for mark in marks})
-            kept = {(one.student, one.number): one for one in attempts}
+            attempts = self._kept_attempts({mark.student for mark in marks})
+            kept = {one.key: one for one in attempts}
         return tuple(GradebookEntry(mark, kept[mark.student, mark.attempt]) for mark in marks)
 
     def students_of_either_version(self) -> frozenset[str]:

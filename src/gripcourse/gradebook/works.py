@@ -24,7 +24,9 @@ class StudentWork:
         first: its first attempt.
         attempt: the attempt that stands for it.
         handed_in: when; what a person said last goes before the file's own time. None: unknown.
+            Of two that were said under two ids of one person the earlier, until a person says more.
         taken: its place among what the desk took of the student; None where it came otherwise.
+        of_two: whether that is the earlier of two times that were said under two ids.
     """
 
     student: str
@@ -33,6 +35,7 @@ class StudentWork:
     attempt: Attempt
     handed_in: datetime | None
     taken: int | None = None
+    of_two: bool = False
 
     @property
     def digest(self) -> str:
@@ -46,11 +49,12 @@ def works_of(
     """Return the works of each student, in the order in which they were graded first.
 
     Args:
-        standing: attempts of any students, without those that were taken back.
+        standing: attempts of any students, without those that were taken back, oldest first for
+            each student.
         taken: by student and digest, the place of a work among what the desk took of the student.
     """
     by_student: dict[str, dict[str, list[Attempt]]] = {}
-    for one in sorted(standing, key=lambda one: one.number):
+    for one in standing:
         by_student.setdefault(one.student, {}).setdefault(one.digest, []).append(one)
     return {
         student: tuple(
@@ -58,9 +62,10 @@ def works_of(
                 student,
                 number,
                 attempts[0],
-                attempts[-1],
+                _standing(attempts),
                 _handed_in(attempts),
                 taken.get((student, digest)),
+                _earlier_of_two(attempts) is not None,
             )
             for number, (digest, attempts) in enumerate(by_file.items(), start=1)
         )
@@ -91,15 +96,31 @@ def _place(work: StudentWork) -> int:
     return work.taken or 0
 
 
+def _standing(attempts: Sequence[Attempt]) -> Attempt:
+    return next((one for one in reversed(attempts) if not one.outranked), attempts[-1])
+
+
 def _handed_in(attempts: Sequence[Attempt]) -> datetime | None:
+    if (earlier := _earlier_of_two(attempts)) is not None:
+        return earlier
     said = [one.handed_in for one in attempts if one.handed_in_said]
     return said[-1] if said else attempts[0].handed_in
 
 
+def _earlier_of_two(attempts: Sequence[Attempt]) -> datetime | None:
+    """Return the earlier of two times that were said under two ids, while nobody decides."""
+    if any(one.handed_in_said and one.other_time is None for one in attempts):
+        return None
+    return next((one.other_time for one in attempts if one.other_time is not None), None)
+
+
 def latest_judged(standing: Iterable[Attempt]) -> dict[str, Attempt]:
-    """Return what stands for the last work of each student that could be judged, by student."""
+    """Return what stands for the last work of each student that could be judged, by student.
+
+    It is the one that was handed in last, as for what counts.
+    """
     return {
-        student: judged[-1].attempt
+        student: in_order(judged)[-1].attempt
         for student, works in works_of(standing).items()
         if (judged := [one for one in works if one.attempt.judged])
     }

@@ -18,7 +18,7 @@ from gripcourse.issuing.withdrawal import (
     joined_to,
     joins_of,
     why_left,
-    with_latest_deadline,
+    with_joined,
 )
 from gripcourse.machine.shelf import Shelved
 from gripcourse.variants.given_numbers import GivenNumbers, SharedNames
@@ -195,7 +195,7 @@ class _NumberedEntries:
         """Load an entry."""
         found = self._issued(number)
         if number in self.others:
-            return with_latest_deadline(found, map(self._issued, self.others[number]))
+            return with_joined(found, map(self._issued, self.others[number]))
         if number not in self.persons:
             return found
         return as_of_person(found, self._issued(self.persons[number]).student)

@@ -97,16 +97,17 @@ def as_of_person(entry: Issued, person: Student) -> Issued:
     return replace(entry, student=person, issued_as=entry.issued_as or entry.student.id)
 
 
-def with_latest_deadline(entry: Issued, others: Iterable[Issued]) -> Issued:
+def with_joined(entry: Issued, others: Iterable[Issued]) -> Issued:
     """Return a person's entry with the latest day that stands on any sheet of the person's.
 
     Args:
         entry: of the person.
         others: the last versions under the ids that were joined with it.
     """
-    days = [one.deadline for one in (entry, *others)]
+    joined = tuple(others)
+    days = [one.deadline for one in (entry, *joined)]
     latest = None if None in days else max(day for day in days if day is not None)
-    return entry if latest == entry.deadline else replace(entry, deadline=latest)
+    return replace(entry, deadline=latest, joined=tuple(one.student for one in joined))
 
 
 def checked(
@@ -131,7 +132,7 @@ def checked(
     if wanted.undone:
         problems += _faults_of_undoing(wanted, known, before)
     else:
-        problems += _faults_of_withdrawing(wanted, known, before)
+        problems += _faults_of_withdrawing(wanted, known, withdrawals)
     if problems:
         raise UsageError(problems)
     if wanted.undone:
@@ -164,9 +165,10 @@ def _faults_of_undoing(
 
 
 def _faults_of_withdrawing(
-    wanted: Withdrawal, known: Mapping[str, Issued], before: Withdrawal | None
+    wanted: Withdrawal, known: Mapping[str, Issued], withdrawals: Iterable[Withdrawal]
 ) -> list[Problem]:
-    problems = []
+    problems, stands = [], standing(withdrawals)
+    before = stands.get(wanted.student)
     if before is not None and (before.same_as or not wanted.same_as):
         said = (
             message("{student} was joined with {person} already: {why}",
@@ -181,6 +183,11 @@ def _faults_of_withdrawing(
         problems.append(_nobody(_PARAMETER, wanted.student, known))
     if wanted.same_as == wanted.student:
         what = message("{student} cannot be joined with the same entry.", student=wanted.student)
+        remedy = message("Name the id of the entry that the person keeps.")
+        problems.append(_problem("same_as", what, remedy))
+    elif (other := stands.get(wanted.same_as)) is not None and other.same_as:
+        what = message("{student} was joined with {person} already: {why}",
+                       student=wanted.same_as, person=other.same_as, why=other.why)  # fmt: skip
         remedy = message("Name the id of the entry that the person keeps.")
         problems.append(_problem("same_as", what, remedy))
     elif wanted.same_as and wanted.same_as not in known:

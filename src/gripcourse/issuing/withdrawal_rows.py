@@ -11,7 +11,7 @@ from gripcourse.issuing.withdrawal import (
     as_of_person,
     joined_to,
     why_left,
-    with_latest_deadline,
+    with_joined,
 )
 from gripcourse.machine.database.moments import in_utc, stored
 
@@ -51,7 +51,7 @@ def as_withdrawn(register: Register) -> Register:
     others = [one for one in register.entries if one.student.id in joined]
     for person in joined.values():
         own = (one for one in others if joined[one.student.id] == person)
-        entries[person] = with_latest_deadline(entries[person], own)
+        entries[person] = with_joined(entries[person], own)
     earlier = tuple(
         as_of_person(one, entries[joined[one.student.id]].student)
         if one.student.id in joined

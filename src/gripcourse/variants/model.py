@@ -67,6 +67,7 @@ class Issued:
         issued_as: id under which it was issued, where that was joined with the student's; else
             empty.
         left: why the student is no longer in the course; empty for who is.
+        joined: the same person as listed under ids that were joined with the student's.
     """
 
     student: Student
@@ -80,6 +81,7 @@ class Issued:
     declarations: str = ""
     issued_as: str = ""
     left: str = ""
+    joined: tuple[Student, ...] = ()
 
     @property
     def signed_for(self) -> str:

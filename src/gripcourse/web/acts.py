@@ -14,6 +14,7 @@ from gripcourse.text.shown import shown
 from gripcourse.text.words import Words, message
 from gripcourse.usecases.publishing.publish import publish, published_to, withdraw
 from gripcourse.usecases.serving.hand_in import Receipt, hand_in
+from gripcourse.usecases.serving.taken import checks_of
 from gripcourse.variants.model import Issued
 from gripcourse.web.checking import CheckedBothWays, CheckJob
 from gripcourse.web.rates import CHECKS, HAND_INS, REQUESTS
@@ -45,15 +46,19 @@ def check(
     """
     if file is None:
         return NO_FILE
-    known = site.context.desk.checks(student)
+    joins = site.context.joins()
+    known = checks_of(site.context.desk, student, joins)
     count(site, CHECKS, student, (one.at for one in known))
-    found = site.checkers.do(CheckJob(file, student, words.language))
+    found = site.checkers.do(CheckJob(file, family({student}, joins), words.language))
     if isinstance(found, Lost):
         said = message("This file could not be read within the limits of the server.")
         return WebRefusal(Code.BEYOND_LIMITS, said)
     assert isinstance(found, CheckedBothWays)  # noqa: S101 (what the workers return)
     digest = hashlib.sha256(file.data).hexdigest()
-    most = site.context.policy.check.times if found.compares else None
+    # Who was told something under another id, before both were joined, was told it.
+    before = sum(one.told for one in known if one.student != student)
+    times = max(0, site.context.policy.check.times - before)
+    most = times if found.compares else None
     try:
         logged = site.context.desk.log_check(student, digest, most, site.clock(), CHECKS)
     except TooOftenError as fault:
@@ -67,7 +72,7 @@ def check(
 
 def checks_left(site: Site, student: str) -> int:
     """Return how often more than the reading will be told."""
-    told = sum(one.told for one in site.context.desk.checks(student))
+    told = sum(one.told for one in checks_of(site.context.desk, student, site.context.joins()))
     return max(0, site.context.policy.check.times - told)
 
 

@@ -22,10 +22,10 @@ SECONDS: Final = 20.0
 
 @dataclass(frozen=True, slots=True)
 class CheckJob:
-    """What is checked: the file, who asks, and the reader's language."""
+    """What is checked: the file, the ids of who asks, and the reader's language."""
 
     file: NamedBytes
-    student: str
+    ids: frozenset[str]
     language: str
 
 
@@ -64,7 +64,7 @@ def check(job: CheckJob, shared: tuple[Course, Policy]) -> CheckedBothWays:
     course, policy = shared
     words = Words(job.language)
     try:
-        reading, told = check_both_ways(job.file, course, policy, job.student)
+        reading, told = check_both_ways(job.file, course, policy, job.ids)
     except UsageError as refused:
         return CheckedBothWays(refused_check(refused.problems, words), None, compares=False)
     return CheckedBothWays(

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from pathlib import Path, PurePath
 
 from gripcourse.gradebook.enter import Draft
+from gripcourse.gradebook.joined import family
 from gripcourse.gradebook.journal import Regrade, Signed
 from gripcourse.gradebook.model import Attempt
 from gripcourse.gradebook.store import Gradebook
@@ -99,7 +100,9 @@ def grading_now(site: Site, graded: Path) -> GradingNow:
 
 def marks_seen(site: Site, student: str, item: str) -> str:
     """Say which marks of an item there are: who marks meanwhile changes it."""
-    entries = Gradebook(site.context.desk.engine).entries({student})
+    # All that were ever kept: of a person who had two ids, under either.
+    ids = family({student}, site.context.joins())
+    entries = Gradebook(site.context.desk.engine).entries(ids)
     return str(sum(one.mark.quantity == item for one in entries))
 
 

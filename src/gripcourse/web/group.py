@@ -1,6 +1,5 @@
 """The group as a table: who has handed in, who has a score, who asks for something."""
 
-from collections import Counter
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from datetime import datetime
@@ -13,7 +12,14 @@ from gripcourse.text.spelling import alphabetical, plain
 from gripcourse.usecases.serving.counted import CountedWork, counted_works
 from gripcourse.usecases.serving.desk import DeskContext
 from gripcourse.usecases.serving.hand_in import is_late, latest
-from gripcourse.usecases.serving.taken import hand_ins_by_person, hand_ins_of
+from gripcourse.usecases.serving.taken import (
+    checks_by_person,
+    checks_of,
+    hand_ins_by_person,
+    hand_ins_of,
+    requests_by_person,
+    requests_of,
+)
 from gripcourse.variants.model import Issued, Student
 
 
@@ -133,23 +139,31 @@ def _members(
     )
     last = latest(context, hand_ins)
     files = {student: len(of) for student, of in hand_ins.items()}
-    checks = Counter(one.student for one in context.desk.checks(only))
+    checks = (
+        checks_by_person(context.desk, joins)
+        if only is None
+        else {only: checks_of(context.desk, only, joins)}
+    )
     book, names = Gradebook(context.desk.engine, joins), None if only is None else {only}
     works = counted_works(context, names)
     marked = latest_marks_of_all(book.entries(names))
-    requests = Counter(
-        one.student
-        for one in context.desk.requests(only)
-        if not is_answered(one, marked.get(one.student, {}))
+    asked = (
+        requests_by_person(context.desk, joins)
+        if only is None
+        else {only: requests_of(context.desk, only, joins)}
     )
+    requests = {
+        student: sum(not is_answered(one, marked.get(student, {})) for one in all_)
+        for student, all_ in asked.items()
+    }
     return [
         GroupMember(
             issued=issued,
             hand_in=last.get(id_),
             late=id_ in last and is_late(context, issued, last[id_].at),
             files=files.get(id_, 0),
-            checks=checks[id_],
-            requests=requests[id_],
+            checks=len(checks.get(id_, ())),
+            requests=requests.get(id_, 0),
             work=works.get(id_),
             marked=marked.get(id_, {}),
         )

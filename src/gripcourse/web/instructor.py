@@ -13,7 +13,7 @@ from gripcourse.text.words import message
 from gripcourse.usecases.publishing.publish import current, published_grades, published_to
 from gripcourse.usecases.serving.hand_in import kept_path, receipt_of
 from gripcourse.usecases.serving.sign_in import SESSION_HOURS, sign_in
-from gripcourse.usecases.serving.taken import hand_ins_of, requests_of
+from gripcourse.usecases.serving.taken import checks_of, hand_ins_of, requests_of
 from gripcourse.web import acts
 from gripcourse.web.group import (
     GroupMember,
@@ -120,7 +120,7 @@ def student(seat: Seat) -> Response:
             receipt_of(context, row.issued, one)
             for one in hand_ins_of(context.desk, id_, context.joins())
         ],
-        "checks": context.desk.checks(id_),
+        "checks": checks_of(context.desk, id_, context.joins()),
         "attempts": book.attempts({id_}),
         "results": [
             (one, seat.words.say(one.outcome.traits.word))

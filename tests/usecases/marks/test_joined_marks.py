@@ -1,86 +1,24 @@
 """Marks by hand of a person who had two ids: they count once, and go back where they came from."""
 
-import shutil
 from dataclasses import replace
-from datetime import UTC, datetime, timedelta
+from datetime import timedelta
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import pytest
 
-from gripcourse.batch.graded import Graded
-from gripcourse.batch.one_file import grade_file
 from gripcourse.cli.demo.students import correct
-from gripcourse.gradebook.enter import Draft
 from gripcourse.gradebook.journal import Signed
 from gripcourse.gradebook.timing import Waiver
-from gripcourse.grading.model import FlagCode, Report
-from gripcourse.issuing.withdrawal import Withdrawal
-from gripcourse.usecases.marks.gradebook import keep
-from gripcourse.usecases.marks.history import history
-from gripcourse.usecases.marks.mark import enter_mark, existing_gradebook, item_of, what_waits
+from gripcourse.grading.model import FlagCode
+from gripcourse.usecases.marks.mark import existing_gradebook, item_of
 from gripcourse.usecases.marks.opening import open_grading, register_of
 from gripcourse.usecases.marks.regrade import publish, regrade
 from gripcourse.usecases.marks.waive import waive
-from gripcourse.usecases.marks.withdraw import Withdrawn, withdraw
+from support.office import DRAWING, NOW, Office
 
 if TYPE_CHECKING:
     from support.classroom import Classroom
-
-NOW = datetime(2026, 12, 2, 9, tzinfo=UTC)
-DRAWING = "general_view_drawing"
-
-
-class Office:
-    """A course with three assignments handed out, its gradebook, and who marks; time goes on."""
-
-    def __init__(self, root: Path, place: str) -> None:
-        self.root, self.place, self.now = root, place, NOW
-
-    def later(self) -> datetime:
-        self.now += timedelta(hours=1)
-        return self.now
-
-    def grade(self, *files: Path) -> list[Report]:
-        context = open_grading(self.root)
-        reports = [Graded(grade_file(one, context), "") for one in files]
-        return [one.report for one in keep(reports, context, self.place, self.later())]
-
-    def mark(self, student: str, credit: float | None, comment: str = "") -> int:
-        lines = {} if credit is None else dict.fromkeys(("sizes", "assembly", "standards"), credit)
-        draft = Draft(student, DRAWING, lines, comment=comment, withdraw=credit is None)
-        context = open_grading(self.root)
-        return len(enter_mark(draft, context, self.place, "Петров", self.later()).items)
-
-    def join(self, student: str = "s03", person: str = "s01", *, undo: bool = False) -> Withdrawn:
-        same_as = "" if undo else person
-        wanted = Withdrawal(student, same_as, undo, "Сменила фамилию", "Петров", self.later())
-        return withdraw(wanted, self.root, self.place)
-
-    def credit(self, student: str) -> float | None:
-        """What the item is worth on the last work of a student, by what counts now."""
-        found = item_of(self.place, student, DRAWING, register_of(self.root).joins)
-        assert found is not None
-        return None if found.marked is None else found.marked.mark.credit
-
-    def told(self, student: str) -> list[str]:
-        register = register_of(self.root)
-        known, withdrawals = register.by_student(), register.withdrawals
-        events = history(self.place, student, known, withdrawals=withdrawals)
-        return [str(one.what) for one in events]
-
-    def waits(self) -> set[tuple[str, bool]]:
-        joins = register_of(self.root).joins
-        return {
-            (one.student, one.again)
-            for one in what_waits(self.place, joins)
-            if one.quantity == DRAWING
-        }
-
-
-@pytest.fixture
-def office(issued: "Classroom", tmp_path: Path, place: str) -> Office:
-    return Office(shutil.copytree(issued.course.root, tmp_path / "course"), place)
 
 
 @pytest.fixture(scope="module")
@@ -109,7 +47,8 @@ def test_the_mark_of_the_second_id_counts_for_the_person_and_goes_back(
     assert any(f"{DRAWING}: points" in one and "s03" in one for one in office.told("s01"))
     given_back = office.join(undo=True)
     assert str(given_back.notes[-1]) == f"1 mark by hand is that of s03 again: {DRAWING}."
-    assert (office.credit("s01"), office.credit("s03")) == (None, 0.5)
+    assert item_of(office.place, "s01", DRAWING) is None
+    assert office.credit("s03") == 0.5
     assert not any(f"{DRAWING}: points" in one for one in office.told("s01"))
 
 

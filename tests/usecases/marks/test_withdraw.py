@@ -1,6 +1,7 @@
 """What was handed out to who left, or under a second id, is found, judged and remembered."""
 
 import shutil
+from dataclasses import replace
 from datetime import UTC, datetime, timedelta
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -10,11 +11,15 @@ import pytest
 from gripcourse.batch.graded import Graded
 from gripcourse.batch.one_file import grade_file
 from gripcourse.cli.demo.students import correct
+from gripcourse.errors import UsageError
 from gripcourse.gradebook.enter import Draft
-from gripcourse.grading.model import KnownBy, Report
+from gripcourse.grading.model import KnownBy, Outcome, Report
+from gripcourse.issuing.reissue import Correction
 from gripcourse.issuing.withdrawal import Withdrawal
 from gripcourse.machine.database.home import home_of
 from gripcourse.usecases.grading.batch_tables import missing, write_tables
+from gripcourse.usecases.issuing.handout import Handout, IssuingContext
+from gripcourse.usecases.issuing.reissue import CorrectedOrder, reissue_order
 from gripcourse.usecases.marks.gradebook import keep
 from gripcourse.usecases.marks.history import history
 from gripcourse.usecases.marks.mark import enter_mark, what_waits
@@ -22,8 +27,9 @@ from gripcourse.usecases.marks.opening import open_grading, register_of
 from gripcourse.usecases.marks.regrade import regrade
 from gripcourse.usecases.marks.withdraw import withdraw
 from gripcourse.usecases.serving.desk import open_books
-from gripcourse.usecases.serving.links import make_links, open_link, token_of
+from gripcourse.usecases.serving.links import make_links, open_link, revoke_links, token_of
 from gripcourse.variants.model import Issued
+from support.classroom import forget_one_jaw
 
 if TYPE_CHECKING:
     from support.classroom import Classroom
@@ -66,6 +72,19 @@ def test_a_work_on_the_second_sheet_is_the_persons_and_is_judged_by_that_sheet(
     assert report.score == alone.score > 0
     assert "issued to s03, which was joined with s01" in str(report.remarks[0])
     assert {one.id for one in missing([report], open_grading(root))} == {"s02"}
+
+
+def test_of_a_work_on_the_second_sheet_mistakes_are_named_and_followed_as_of_any(
+    issued: "Classroom", root: Path, tmp_path: Path
+) -> None:
+    file = issued.hand_in("s03", forget_one_jaw, tmp_path / "ответы.xlsx")
+    (alone,) = graded(root, file)
+    join(root)
+    # Of the program's own: nothing that the gradebook keeps decides.
+    (report,) = (grade_file(one, open_grading(root)) for one in [file])
+    found = [(one.quantity, one.outcome, one.points, one.slip) for one in report.findings]
+    assert found == [(one.quantity, one.outcome, one.points, one.slip) for one in alone.findings]
+    assert {Outcome.SLIP, Outcome.CARRIED} <= {one.outcome for one in report.findings}
 
 
 def test_a_work_on_the_first_sheet_is_judged_as_ever(
@@ -153,3 +172,42 @@ def test_a_link_that_the_second_id_got_opens_the_page_of_the_person(root: Path) 
         "s01",
         "s02",
     ]
+
+
+def test_revoked_no_link_of_the_person_opens_anything_under_either_id(root: Path) -> None:
+    context = open_books(root)
+    tokens = [token_of(context, one, NOW + timedelta(days=1)) for one in ("s01", "s03")]
+    join(root)
+    revoke_links(context, "s03", "Петров", NOW)
+    assert not any(isinstance(open_link(context, one, NOW), Issued) for one in tokens)
+
+
+def no_documents(_context: IssuingContext, entry: Issued) -> Handout:
+    return Handout(entry.student.id, (), ())
+
+
+def test_who_is_named_by_the_second_id_is_issued_anew_as_the_person(
+    issued: "Classroom", root: Path, tmp_path: Path
+) -> None:
+    join(root)
+    correction, made = Correction(("s03",), "005", "Опечатка", "Петров"), issued.order
+    order = CorrectedOrder(correction, made.table, tmp_path / "corrected", made.today, None)
+    reissue_order(
+        replace(issued.course, root=root),
+        issued.policy,
+        order,
+        0,
+        lambda _: None,
+        issue_one=no_documents,
+    )
+    versions = register_of(root).versions()["s01"]
+    assert [(one.issued_as, one.version) for one in versions] == [("s03", 1), ("", 1), ("", 2)]
+
+
+def test_nobody_is_joined_with_an_id_that_is_joined_itself(root: Path) -> None:
+    join(root)
+    wanted = Withdrawal("s02", "s03", False, "Один человек", "Петров", NOW)
+    with pytest.raises(UsageError) as refused:
+        withdraw(wanted, root, home_of(root))
+    (problem,) = refused.value.problems
+    assert "s03 was joined with s01 already" in str(problem.what)

@@ -220,6 +220,23 @@ def test_the_result_of_a_person_of_two_ids_goes_to_whom_the_platform_knows_by_ei
     assert sent_by(school)["s03"] is ScoreFate.UNCHANGED
 
 
+def test_what_was_released_under_the_second_id_is_the_result_of_the_person(
+    school: LtiCourse, tmp_path: Path
+) -> None:
+    release(school, tmp_path, report("s02", 9))
+    join(school, "s02", same_as="s03")
+    assert sent_by(school)["s03"] is ScoreFate.SENT
+    assert [one["scoreGiven"] for _, one in school.platform.scores] == [9]
+
+
+def test_of_a_batch_from_before_the_joining_the_result_is_released_to_the_person(
+    school: LtiCourse, tmp_path: Path
+) -> None:
+    join(school, "s02", same_as="s03")
+    release(school, tmp_path, report("s02", 9))
+    assert sent_by(school)["s03"] is ScoreFate.SENT
+
+
 def test_two_users_of_the_platform_who_were_joined_get_no_grade_that_is_guessed(
     school: LtiCourse, tmp_path: Path
 ) -> None:

@@ -10,12 +10,16 @@ stranger among the people.
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import PurePath
+from types import MappingProxyType
+from typing import Final
 
 from gripcourse.errors import Problem, UsageError
 from gripcourse.exports.report_result import GradesResult, ReportResult
 from gripcourse.grading.platforms import PlatformPart, platform_part, words_of
 from gripcourse.text.words import Message, message
 from gripcourse.variants.model import Student
+
+_NOBODY: Final[Mapping[str, Sequence[Student]]] = MappingProxyType({})
 
 
 @dataclass(frozen=True, slots=True)
@@ -26,11 +30,13 @@ class GradedWork:
         report: what it came to.
         email: of the student, as the roster has it; empty for none.
         part: what a platform wrote into the path of the file; None for nothing.
+        other_keys: ids and addresses under which the student was listed a second time.
     """
 
     report: ReportResult
     email: str
     part: PlatformPart | None
+    other_keys: frozenset[str] = frozenset()
 
     @property
     def points(self) -> float:
@@ -84,18 +90,23 @@ class Matching:
 
 
 def works_of(
-    grades: GradesResult, students: Mapping[str, Student]
+    grades: GradesResult,
+    students: Mapping[str, Student],
+    joined: Mapping[str, Sequence[Student]] = _NOBODY,
 ) -> tuple[tuple[GradedWork, ...], tuple[Message, ...]]:
     """Return the work of each student that counts, and notes on those of whom none does.
 
     Args:
         grades: of a batch.
         students: of the register, by id.
+        joined: by id, the same person as listed under ids that were joined with it.
     """
+    persons = {one.id: person for person, others in joined.items() for one in others}
     judged: dict[str, list[ReportResult]] = {}
     for report in grades.reports:
         if report.judged and report.student and report.counts is not False:
-            judged.setdefault(report.student, []).append(report)
+            student = persons.get(report.student, report.student)
+            judged.setdefault(student, []).append(report)
     works, notes = [], []
     for student, reports in judged.items():
         points = {(one.score, one.earned, one.max_score, one.open_points) for one in reports}
@@ -104,7 +115,9 @@ def works_of(
             continue
         known = students.get(student)
         part = next(filter(None, (platform_part(one.file) for one in reports)), None)
-        works.append(GradedWork(reports[0], "" if known is None else known.email, part))
+        other_keys = {key for one in joined.get(student, ()) for key in (one.id, one.email)} - {""}
+        email = "" if known is None else known.email
+        works.append(GradedWork(reports[0], email, part, frozenset(other_keys)))
     return tuple(works), tuple(notes)
 
 
@@ -164,8 +177,14 @@ def _by_number(work: GradedWork, rows: Iterable[PlatformRow]) -> list[PlatformRo
 
 
 def _by_key(work: GradedWork, rows: Iterable[PlatformRow]) -> list[PlatformRow]:
-    own = {work.report.student.casefold(), work.email.casefold()} - {""}
-    return [row for row in rows if own & {key.strip().casefold() for key in row.keys}]
+    own = {work.report.student, work.email} - {""}
+    # Who has two accounts there, too, gets the grade by the one whose id is kept.
+    return _with_any(own, rows) or _with_any(work.other_keys, rows)
+
+
+def _with_any(keys: Iterable[str], rows: Iterable[PlatformRow]) -> list[PlatformRow]:
+    wanted = {key.casefold() for key in keys}
+    return [row for row in rows if wanted & {key.strip().casefold() for key in row.keys}]
 
 
 def _by_name(

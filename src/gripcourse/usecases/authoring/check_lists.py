@@ -24,22 +24,25 @@ def list_problems(course: Course, policy: Policy | None) -> list[Problem]:
         policy: of the course; None where it cannot be used.
     """
     problems: list[Problem] = []
-    issued = _issued(course, problems)
+    issued, joined = _issued(course, problems)
     listed = _listed(course, issued, problems)
     path = deadlines_path(course.root)
     if path.is_file():
         zone = zone_of(policy.late if policy else None)
         # Before anything is issued the roster says who there is.
         try:
-            read_deadlines(path, zone, issued or listed)
+            read_deadlines(path, zone, (*issued, *joined) or listed)
         except GripcourseError as error:
             problems += _in_the_course(course, error)
     return problems
 
 
-def _issued(course: Course, problems: list[Problem]) -> tuple[Student, ...]:
+def _issued(
+    course: Course, problems: list[Problem]
+) -> tuple[tuple[Student, ...], tuple[Student, ...]]:
+    """Return everybody of the register, and the same persons under ids that were joined."""
     if not exists(home_of(course.root)) and not old_register_path(course.root).is_file():
-        return ()
+        return (), ()
     # 200 ms for the database that only who has issued pays.
     from gripcourse.issuing.store import read_register  # noqa: PLC0415
 
@@ -47,8 +50,8 @@ def _issued(course: Course, problems: list[Problem]) -> tuple[Student, ...]:
         register = read_register(course.root, course.id)
     except GripcourseError as error:
         problems += error.problems
-        return ()
-    return tuple(entry.student for entry in register.entries)
+        return (), ()
+    return tuple(entry.student for entry in register.entries), register.joined
 
 
 def _listed(

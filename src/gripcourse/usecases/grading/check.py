@@ -1,5 +1,6 @@
 """A student's self-check of one workbook."""
 
+from collections.abc import Collection
 from dataclasses import dataclass, replace
 
 from gripcourse.course.model import Course
@@ -81,7 +82,11 @@ def check_file(
 
 
 def check_both_ways(
-    source: Readable, course: Course, policy: Policy, who: str, read: Read = read_workbook
+    source: Readable,
+    course: Course,
+    policy: Policy,
+    ids: Collection[str],
+    read: Read = read_workbook,
 ) -> tuple[CheckedWorkbook, CheckedWorkbook | None]:
     """Check a workbook for who counts afterwards, and then shows one of the two.
 
@@ -91,7 +96,7 @@ def check_both_ways(
         source: a file, or its bytes.
         course: whose workbook it is.
         policy: for the bands.
-        who: id of the student who asks.
+        ids: of the student who asks.
         read: reads the file.
 
     Returns:
@@ -102,7 +107,7 @@ def check_both_ways(
         UsageError: see `check_file`.
     """
     plan, submission = _understood(source, course, read)
-    if submission.identity.student not in ("", who):
+    if submission.identity.student not in {"", *ids}:
         said = message(
             "This workbook was issued to another student: its numbers are not compared. Choose "
             "your own."

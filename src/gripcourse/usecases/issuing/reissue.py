@@ -1,7 +1,7 @@
 """Correcting what was issued: a new version of students' assignments beside the one they have."""
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from datetime import date
 from functools import partial
 from pathlib import Path
@@ -15,6 +15,7 @@ from gripcourse.issuing.register import Register
 from gripcourse.issuing.reissue import Correction, reissue
 from gripcourse.issuing.signature import key_of, key_path
 from gripcourse.issuing.store import extend_register, read_register
+from gripcourse.issuing.withdrawal import persons_of
 from gripcourse.machine.content import Readable
 from gripcourse.machine.files import make_private_folder
 from gripcourse.policy.model import Policy
@@ -85,6 +86,7 @@ def reissue_order(  # noqa: PLR0913 (the last two have usual values)
     if order.link_days:
         refuse_no_address(course.address)
     before = read_register(course.root, course.id)
+    order = replace(order, correction=_of_persons(order.correction, before))
     key = key_of(key_path(course.root), issued=bool(before.entries))
     if key is None:
         what = message("Nothing was issued from this course.")
@@ -106,6 +108,13 @@ def reissue_order(  # noqa: PLR0913 (the last two have usual values)
     entries = _fresh(extended.register, order)
     on_counted(len(entries))
     return Issuing(write_handouts(context, entries, workers, on_done, issue_one), extended.notes)
+
+
+def _of_persons(correction: Correction, register: Register) -> Correction:
+    """Return a correction that names persons by the ids that stand for them now."""
+    persons = persons_of(register.joins)
+    students = tuple(persons.get(one, one) for one in correction.students)
+    return replace(correction, students=students)
 
 
 def _quantity(course: Course, variant: Variant, name: str) -> Quantity | None:

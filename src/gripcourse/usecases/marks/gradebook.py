@@ -24,13 +24,13 @@ from gripcourse.gradebook.model import (
 )
 from gripcourse.gradebook.results import digest_is_known
 from gripcourse.gradebook.store import Gradebook, open_gradebook
-from gripcourse.gradebook.timing import Waiver, lateness, timings_by_policy
+from gripcourse.gradebook.timing import Waiver, timings_by_policy
 from gripcourse.gradebook.works import StudentWork, works_of
-from gripcourse.grading.model import Flag, FlagCode, Report, Timing
+from gripcourse.grading.model import FlagCode, Report, Timing
 from gripcourse.machine.database.home import exists
 from gripcourse.machine.database.opening import demand_writing
 from gripcourse.policy.time_rules import Counts
-from gripcourse.text.words import message
+from gripcourse.usecases.marks.attempt_times import doubts_about_time, to_keep
 from gripcourse.usecases.marks.handed_in import HandingTime
 from gripcourse.usecases.serving.taken import order_of_works
 
@@ -156,7 +156,11 @@ def _kept(
         for mine in reports.values()
         for report in mine
     )
-    attempts = [_timed(one, keeping.times.get(one.file)) for one in found if one is not None]
+    attempts = [
+        to_keep(one, keeping.times.get(one.file), keeping.context)
+        for one in found
+        if one is not None
+    ]
     known, undone = _known(keeping, students), book.undone()
     told = told_works(keeping.told, known)
     before = works_of(one for one in known if one.regrade not in undone)
@@ -178,7 +182,17 @@ def _kept(
         timings = timings_by_policy(policy, works[name], marks, deadline, waived)
         if timings:
             entered = [replace(one, timing=timings.get(one.digest)) for one in entered]
-            doubts = [_doubt(keeping, one.file, deadline, waived) for one in entered]
+            of_digest = {one.digest: one for one in works[name]}
+            doubts = [
+                doubts_about_time(
+                    of_digest.get(one.digest),
+                    keeping.times.get(one.file),
+                    keeping.context,
+                    deadline,
+                    waived,
+                )
+                for one in entered
+            ]
             entered = [
                 replace(one, flags=(*one.flags, *doubt))
                 for one, doubt in zip(entered, doubts, strict=True)
@@ -219,35 +233,6 @@ def _undisputed(report: Report) -> Report:
     return replace(report, flags=kept)
 
 
-def _doubt(
-    keeping: _Keeping, file: str, deadline: datetime | None, waived: Sequence[Waiver]
-) -> tuple[Flag, ...]:
-    """Flag a work whose lateness depends on which of two moments its time means."""
-    time, rule = keeping.times.get(file), keeping.context.policy.late
-    if time is None or time.later is None or time.doubt is None:
-        return ()
-    waiver = waived[-1] if waived else None
-    fewer, more = (lateness(at, deadline, waiver, rule) for at in (time.at, time.later))
-    if fewer == more:
-        return ()
-    what, remedy = time.doubt
-    said = message(
-        "{what} The work was handed in then: days late by the earlier moment {fewer}, by the later"
-        " one {more}. The earlier one counts until somebody says when it was handed in. {remedy}",
-        what=what,
-        fewer=fewer[0],
-        more=more[0],
-        remedy=remedy,
-    )
-    return (Flag(FlagCode.TIME_DOUBTFUL, said),)
-
-
-def _timed(attempt: Attempt, handed_in: HandingTime | None) -> Attempt:
-    if handed_in is None:
-        return attempt
-    return replace(attempt, handed_in=handed_in.at, handed_in_said=handed_in.said)
-
-
 def _to_add(
     attempts: Sequence[Attempt],
     told: Container[tuple[str, str]],
@@ -267,6 +252,7 @@ def _to_add(
                     graded_at=one.graded_at,
                     handed_in=one.handed_in,
                     handed_in_said=True,
+                    other_time=None,
                 )
             )
     return kept

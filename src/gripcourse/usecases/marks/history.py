@@ -16,7 +16,7 @@ from gripcourse.gradebook.journal import publications, regrades, waivers
 from gripcourse.gradebook.model import Attempt, GradebookEntry, latest_marks
 from gripcourse.gradebook.timing import Waiver
 from gripcourse.gradebook.works import in_order, points_of, works_of
-from gripcourse.issuing.withdrawal import Withdrawal, joins_of
+from gripcourse.issuing.withdrawal import Withdrawal, joins_of, persons_of
 from gripcourse.text.shown import shown
 from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.words import Message, message
@@ -65,11 +65,14 @@ def history(
         GradebookError: there is no gradebook, or it cannot be used.
         UsageError: nobody knows the student.
     """
-    book = existing_gradebook(place)
-    attempts = book.attempts({student})
-    waived = waivers(book)
     withdrawals = tuple(withdrawals)
     joins = joins_of(withdrawals)
+    ids = sorted(family({student}, joins))
+    # Of an id that was joined with another it tells what is kept under it.
+    book = existing_gradebook(place, () if student in persons_of(joins) else joins)
+    attempts = book.attempts({student})
+    as_kept = existing_gradebook(place)
+    waived = waivers(as_kept)
     taken = order_of_works(Desk(book.engine, course_id), joins) if course_id else {}
     withdrawn = tuple(_of_withdrawals(student, withdrawals))
     if not (attempts or student in known or student in waived or withdrawn):
@@ -96,19 +99,20 @@ def history(
                 "Points published to the student: {points} of {most} (attempt {number}).",
                 points=round(told.points, _DECIMALS),
                 most=round(told.max_points, _DECIMALS),
-                number=numbers.get(told.attempt, told.attempt),
+                number=numbers.get(told.key, told.attempt),
             )
+            if told.kept_as:
+                said = message("{event} (As {student}.)", event=said, student=told.kept_as)
             published.append(Event(told.signed.done_at, told.signed.person, said, ""))
     marks: dict[tuple[str, str], list[Event]] = {}
-    ids = sorted(family({student}, joins))
-    for entry in book.entries(ids):
+    for entry in as_kept.entries(ids):
         given_to = entry.mark.student
         told_of = _of_mark(entry, called, "" if given_to == student else given_to)
         marks.setdefault((given_to, entry.mark.quantity), []).append(told_of)
     given = [tuple(_of_waiver(one, student) for one in waived.get(id_, ())) for id_ in ids]
     return _by_time(
         regraded,
-        tuple(_of_attempts(attempts, numbers, batches)),
+        *_of_attempts(attempts, numbers, batches),
         *marks.values(),
         published,
         *given,
@@ -217,29 +221,39 @@ def versions_text(attempt: Attempt) -> str:
 
 def _numbers(
     attempts: Sequence[Attempt], taken: Mapping[tuple[str, str], int]
-) -> Mapping[int, int]:
-    """Return the number that reports give to the work, by the gradebook's number of each entry."""
+) -> Mapping[tuple[str, int], int]:
+    """Return the number that reports give to the work, by the key of each attempt."""
     works = [one for found in works_of(attempts, taken).values() for one in in_order(found)]
     of_work = {one.digest: number for number, one in enumerate(works, start=1)}
-    return {one.number: of_work[one.digest] for one in attempts}
+    return {one.key: of_work[one.digest] for one in attempts}
 
 
 def _of_attempts(
-    attempts: Sequence[Attempt], numbers: Mapping[int, int], batches: Mapping[datetime, GradedBatch]
-) -> Iterator[Event]:
-    """Yield what was found of each work at first, and each time when it was graded otherwise."""
+    attempts: Sequence[Attempt],
+    numbers: Mapping[tuple[str, int], int],
+    batches: Mapping[datetime, GradedBatch],
+) -> Iterable[Sequence[Event]]:
+    """Tell what was found of each work at first, and each time when it was graded otherwise.
+
+    Returns:
+        A series for each id under which works are kept.
+    """
     known: set[str] = set()
+    found: dict[str, list[Event]] = {}
     for one in attempts:
         batch = batches.get(one.graded_at)
         person, why = ("", "") if batch is None else (batch.by, batch.why)
         what = message(
             "{work}, {file}: {result}",
-            work=_work(one, numbers[one.number], is_known=one.digest in known),
+            work=_work(one, numbers[one.key], is_known=one.digest in known),
             file=" ".join(_parts(one)),
             result=_result(one),
         )
         known.add(one.digest)
-        yield Event(one.graded_at, person, what, why)
+        if one.kept_as:
+            what = message("{event} (As {student}.)", event=what, student=one.kept_as)
+        found.setdefault(one.kept_as, []).append(Event(one.graded_at, person, what, why))
+    return found.values()
 
 
 def _work(attempt: Attempt, number: int, *, is_known: bool) -> Message:

@@ -16,7 +16,7 @@ from gripcourse.gradebook.store import Gradebook, open_gradebook
 from gripcourse.gradebook.table import read_marks
 from gripcourse.gradebook.waiting import ItemNow, Waiting, item_now, waiting
 from gripcourse.gradebook.works import latest_judged
-from gripcourse.issuing.withdrawal import Join, persons_of
+from gripcourse.issuing.withdrawal import Join
 from gripcourse.machine.content import Readable
 from gripcourse.machine.database.home import exists
 from gripcourse.policy.rubric import Rubric, lines_of
@@ -76,15 +76,13 @@ def what_waits(place: str, joins: tuple[Join, ...] = ()) -> tuple[Waiting, ...]:
 
     Args:
         place: of the gradebook: a path or a database URL.
-        joins: which ids stand for one person, oldest first; of those that were joined the works
-            are the person's.
+        joins: which ids stand for one person, oldest first.
 
     Raises:
         GradebookError: there is no gradebook, or it cannot be used.
     """
-    book, joined = existing_gradebook(place, joins), persons_of(joins)
-    found = waiting(book.standing(), book.entries())
-    return tuple(one for one in found if one.student not in joined)
+    book = existing_gradebook(place, joins)
+    return waiting(book.standing(), book.entries())
 
 
 def item_of(
@@ -117,7 +115,7 @@ def write_waiting(waits: Sequence[Waiting], context: GradingContext, place: str,
     """
     words = Words(context.course.language)
     students = {one.student for one in waits}
-    attempts = latest_judged(existing_gradebook(place).standing(students))
+    attempts = latest_judged(existing_gradebook(place, context.joins).standing(students))
     items = [_row_to_mark(one, attempts[one.student], context, words) for one in waits]
     write_marks_table(out, items, words)
 
@@ -197,8 +195,10 @@ def _marks(
     marks: list[Mark] = []
     faults: list[tuple[int, EntryFault]] = []
     for number, draft in enumerate(of_persons):
-        at = not_before_joining(draft.student, context.joins, now)
-        mark, found = mark_of(draft, standing(draft.student), marker, at)
+        stands = standing(draft.student)
+        before = stands.marked.get(draft.quantity)
+        at = not_before_joining(draft.student, context.joins, now, before)
+        mark, found = mark_of(draft, stands, marker, at)
         faults += [(number, fault) for fault in found]
         if mark is not None:
             marks.append(mark)
@@ -239,12 +239,9 @@ def _rubrics(
 
 def _kept(marks: Sequence[Mark], book: Gradebook, empty: int = 0) -> Marking:
     fresh = book.add_marks(marks)
-    attempts = {
-        (one.student, one.number): one for one in book.attempts({mark.student for mark in fresh})
-    }
+    attempts = {one.key: one for one in book.attempts({mark.student for mark in fresh})}
     items = tuple(
-        ManualItem(mark, attempts[mark.student, mark.attempt].by_quantity[mark.quantity].max_points)
-        for mark in fresh
+        ManualItem(mark, attempts[mark.key].by_quantity[mark.quantity].max_points) for mark in fresh
     )
     return Marking(items, unchanged=len(marks) - len(fresh), empty=empty)
 

@@ -42,6 +42,7 @@ class Regrading:
         failed: files that could not be read at all, or failed on our side.
         missing: works of the gradebook whose file is not in the batch.
         incidents: what failed on our side, each with its trace.
+        joins: which ids stood for one person, oldest first.
     """
 
     changes: tuple[WorkChange, ...]
@@ -49,6 +50,7 @@ class Regrading:
     failed: tuple[str, ...]
     missing: tuple[StudentWork, ...]
     incidents: tuple[str, ...]
+    joins: tuple[Join, ...] = ()
 
     @property
     def to_apply(self) -> tuple[WorkChange, ...]:
@@ -143,13 +145,9 @@ def regrade(  # noqa: PLR0913 (the last ones are what everybody leaves as they a
         ),
         strangers=tuple(_strangers(graded, works)),
         failed=tuple(one.report.file for one in graded if not one.report.digest),
-        missing=tuple(
-            work
-            for key, work in works.items()
-            # Of an id that was joined with another the work is the other's.
-            if key not in fresh and work.student not in context.joined
-        ),
+        missing=tuple(work for key, work in works.items() if key not in fresh),
         incidents=tuple(one.incident for one in graded if one.incident),
+        joins=context.joins,
     )
 
 
@@ -192,7 +190,8 @@ def apply_regrade(
             )
             for one in lowered
         )
-    return keep_regrade(existing_gradebook(place), [one.new for one in regrading.to_apply], signed)
+    book = existing_gradebook(place, regrading.joins)
+    return keep_regrade(book, [one.new for one in regrading.to_apply], signed)
 
 
 def undo_regrade(place: str, signed: Signed) -> Regrade:
@@ -230,8 +229,7 @@ def publish(
         UsageError: with every student of whom nothing has been graded.
     """
     book, persons = existing_gradebook(place, joins), persons_of(joins)
-    # Of an id that was joined with another the works are the other's.
-    works = {one: of for one, of in works_of(book.standing()).items() if one not in persons}
+    works = works_of(book.standing())
     named = (persons.get(one, one) for one in students)
     wanted = tuple(dict.fromkeys(named)) or tuple(sorted(works))
     unknown = [one for one in wanted if one not in works]

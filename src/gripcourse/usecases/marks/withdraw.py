@@ -1,13 +1,14 @@
 """Withdrawing from the register: who left the course, who was issued to twice, and back again."""
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
 from gripcourse.course.read import course_id
 from gripcourse.gradebook.joined import family, joining_after, marks_of_persons
+from gripcourse.gradebook.journal import publications, published_works
 from gripcourse.gradebook.model import GradebookEntry, latest_marks, share_given
-from gripcourse.gradebook.store import open_gradebook
+from gripcourse.gradebook.store import Gradebook, open_gradebook
 from gripcourse.issuing.allotment import Extended
 from gripcourse.issuing.register import Register
 from gripcourse.issuing.store import extend_register, read_register
@@ -23,10 +24,12 @@ class Withdrawn:
     Attributes:
         notes: what it comes to, and what is left to do.
         disputed: quantities of the person that were marked by hand, otherwise, under both ids.
+        told_twice: whether the person was told results under both ids that differ.
     """
 
     notes: tuple[Message, ...]
     disputed: tuple[str, ...] = ()
+    told_twice: bool = False
 
 
 def withdraw(wanted: Withdrawal, root: Path, place: str) -> Withdrawn:
@@ -56,10 +59,13 @@ def withdraw(wanted: Withdrawal, root: Path, place: str) -> Withdrawn:
     change(before)
     last = standing(before.withdrawals).get(wanted.student)
     person = last.same_as if wanted.undone and last is not None else wanted.same_as
-    entries = _entries(place, (wanted.student, person), before.joins) if person else ()
+    book = open_gradebook(place) if person and exists(place) else None
+    ids = family((wanted.student, person), before.joins)
+    entries = () if book is None else book.entries(ids)
+    attempts = () if book is None else book.attempts(ids)
     if not wanted.undone:
         # What was decided of either before is not a decision between both.
-        wanted = replace(wanted, at=joining_after(entries, wanted.at))
+        wanted = replace(wanted, at=joining_after(entries, attempts, wanted.at))
     extended = extend_register(root, course, change)
     if not person:
         return Withdrawn(extended.notes)
@@ -67,32 +73,75 @@ def withdraw(wanted: Withdrawal, root: Path, place: str) -> Withdrawn:
     marks = marks_of_persons(entries, joins)
     if wanted.undone:
         given = latest_marks(one for one in marks if one.mark.student == wanted.student)
-        return Withdrawn((*extended.notes, *_given_back(wanted.student, given)))
+        notes = (*_given_back(wanted.student, given), *_told_of(book, wanted, "", joins))
+        return Withdrawn((*extended.notes, *notes))
     counting = latest_marks(one for one in marks if one.mark.student == person)
     of_this = family({wanted.student}, joins)
-    carried = [name for name, one in counting.items() if one.given_to in of_this]
+    carried = [name for name, one in counting.items() if one.mark.kept_as in of_this]
     disputed = tuple(
         name
         for name, one in counting.items()
-        if any(other.given_to in of_this for other in one.rivals)
+        if any(other.mark.kept_as in of_this for other in one.rivals)
     )
+    twice = _told_twice(book, person, of_this, family({person}, before.joins))
     return Withdrawn(
         (
             *extended.notes,
             *_carried(wanted, carried),
+            *_told_of(book, wanted, person, joins),
+            *twice,
             *(_dispute(counting[name]) for name in disputed),
         ),
         disputed,
+        told_twice=bool(twice),
     )
 
 
-def _entries(
-    place: str, students: Sequence[str], joins: Sequence[Join]
-) -> tuple[GradebookEntry, ...]:
-    """Return the marks by hand of some persons, as they were kept."""
-    if not exists(place):
+def _told_of(
+    book: Gradebook | None, wanted: Withdrawal, person: str, joins: Sequence[Join]
+) -> tuple[Message, ...]:
+    """Say of how many works that change hands their student was told; `person` is empty on undo."""
+    if book is None:
         return ()
-    return open_gradebook(place).entries(family(students, joins))
+    ids = family({wanted.student}, joins)
+    works = sum(student in ids for student, _ in published_works(book))
+    if not works:
+        return ()
+    if not person:
+        said = counted(
+            "{count} published result is that of {student} again.",
+            "{count} published results are those of {student} again.",
+            works,
+            student=wanted.student,
+        )
+        return (said,)
+    said = counted(
+        "{count} published result of {student} is that of {person} now: only a regrade changes it.",
+        "{count} published results of {student} are those of {person} now: only a regrade changes"
+        " them.",
+        works,
+        student=wanted.student,
+        person=person,
+    )
+    return (said,)
+
+
+def _told_twice(
+    book: Gradebook | None, person: str, of_this: Collection[str], of_person: Collection[str]
+) -> tuple[Message, ...]:
+    """Say what a person was told last under each of two ids, where that differs."""
+    told = () if book is None else publications(book)
+    last = [[one for one in told if one.student in ids][-1:] for ids in (of_person, of_this)]
+    both = [one for found in last for one in found]
+    if len({(one.points, one.max_points) for one in both}) < len(last):
+        return ()
+    said = message(
+        "{person} was told different results: {results}. Each stands as it was told; which of the"
+        " works counts, the policy says.",
+        person=person,
+        results=", ".join(f"{one.student} {one.points:.4g} / {one.max_points:.4g}" for one in both),
+    )
+    return (said,)
 
 
 def _carried(wanted: Withdrawal, names: Sequence[str]) -> tuple[Message, ...]:

@@ -6,7 +6,7 @@ Whatever is written here has names and marks, or solutions: only its owner may r
 import csv
 import io
 import json
-from collections.abc import Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -31,9 +31,11 @@ from gripcourse.exports.results_tables import csv_tables, results_tables, workbo
 from gripcourse.gradebook.journal import regrades
 from gripcourse.gradebook.store import open_gradebook
 from gripcourse.issuing.store import read_register
+from gripcourse.issuing.withdrawal import Join, persons_of
 from gripcourse.machine.database.home import exists
 from gripcourse.machine.files import write_bytes, write_text
 from gripcourse.policy.load import load_policy
+from gripcourse.text.shown import shown
 from gripcourse.text.words import Message, Words, message
 from gripcourse.usecases.grading.batch_tables import GRADES_JSON
 from gripcourse.usecases.grading.grade import REPORTS
@@ -59,6 +61,8 @@ class Results:
         works: that count.
         notes: students of whom no work counts, each with the reason.
         left: students who are no longer in the course.
+        joins: which ids stand for one person, oldest first.
+        outdated: works that were graded as those of an id before it was joined with another's.
     """
 
     course: Course
@@ -68,6 +72,8 @@ class Results:
     works: tuple[GradedWork, ...]
     notes: tuple[Message, ...]
     left: frozenset[str] = frozenset()
+    joins: tuple[Join, ...] = ()
+    outdated: tuple[Message, ...] = ()
 
     def report_of(self, work: GradedWork) -> Path | None:
         """Tell where the report of a work lies; None where none tells the points of the grades."""
@@ -101,11 +107,35 @@ def open_results(root: Path, grades: Path) -> Results:
         raise UsageError([Problem(str(grades), "", what, remedy, step=NextStep.GRADE)]) from fault
     read = GradesResult.from_dict(plain)
     course = load_course(root)
-    register = read_register(course.root, course.id).by_student()
+    known = read_register(course.root, course.id)
+    register = known.by_student()
     students = {id_: entry.student for id_, entry in register.items()}
-    works, notes = works_of(read, students)
+    works, notes = works_of(read, students, {id_: one.joined for id_, one in register.items()})
     left = frozenset(id_ for id_, entry in register.items() if entry.left)
-    return Results(course, students, read, grades.parent / REPORTS, works, notes, left)
+    outdated = tuple(_graded_before(read, persons_of(known.joins)))
+    return Results(
+        course,
+        students,
+        read,
+        grades.parent / REPORTS,
+        works,
+        (*notes, *outdated),
+        left,
+        known.joins,
+        outdated,
+    )
+
+
+def _graded_before(grades: GradesResult, persons: Mapping[str, str]) -> Iterator[Message]:
+    for report in grades.reports:
+        if report.student in persons:
+            yield message(
+                "{file} was graded as the work of {student}, who was joined with {person} since:"
+                " grade again, so that it is told as that of {person}.",
+                file=shown(report.file),
+                student=report.student,
+                person=persons[report.student],
+            )
 
 
 def moodle_files(
@@ -178,7 +208,7 @@ def table_files(results: Results, out: Path, gradebook: str) -> tuple[Path, ...]
     }
     tables = results_tables(results.grades, students) | analysis_tables(results.grades)
     if exists(gradebook):
-        book = open_gradebook(gradebook)
+        book = open_gradebook(gradebook, results.joins)
         tables |= history_tables(book.attempts(), regrades(book))
     if out.suffix.lower() == ".xlsx":
         write_bytes(out, workbook(tables), private=True)
@@ -236,7 +266,13 @@ def _letter(results: Results, work: GradedWork, *, has_report: bool) -> str:
 
 
 def _only_report(results: Results, student: str) -> ReportResult:
-    found = [one for one in results.grades.reports if student in {"", one.student}]
+    persons = persons_of(results.joins)
+    wanted = persons.get(student, student)
+    found = [
+        one
+        for one in results.grades.reports
+        if not student or persons.get(one.student, one.student) == wanted
+    ]
     # Of several works of one student the policy may say which counts.
     of_one = len({one.student for one in found}) == 1
     counting = [one for one in found if of_one and one.judged and one.counts is not False]

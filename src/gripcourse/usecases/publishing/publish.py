@@ -1,6 +1,7 @@
 """Publishing results: a copy that stays as it was, whatever is graded afterwards."""
 
 import json
+from collections.abc import Sequence
 from dataclasses import dataclass
 from datetime import datetime
 from pathlib import Path
@@ -8,14 +9,18 @@ from pathlib import Path
 from gripcourse.access.desk.model import Publication
 from gripcourse.errors import NextStep, Problem, UsageError
 from gripcourse.exports.report_result import GradesResult, ReportResult
+from gripcourse.gradebook.joined import ever_joined, family
 from gripcourse.gradebook.journal import Signed
+from gripcourse.gradebook.store import Gradebook
 from gripcourse.grading.model import KnownBy
+from gripcourse.issuing.withdrawal import persons_of
 from gripcourse.machine.database.home import home_of
 from gripcourse.machine.files import make_private_folder, write_bytes, write_text
 from gripcourse.text.words import message
 from gripcourse.usecases.grading.batch_tables import GRADES_CSV, GRADES_JSON
 from gripcourse.usecases.grading.grade import REPORTS
 from gripcourse.usecases.marks.regrade import publish as keep_told
+from gripcourse.usecases.serving.counted import counted_works
 from gripcourse.usecases.serving.desk import DeskContext
 
 
@@ -79,10 +84,12 @@ def _free_number(context: DeskContext) -> int:
 def _copy(context: DeskContext, graded: Path, folder: Path) -> None:
     """Copy what students of the register are told, and the table of grades."""
     plain = json.loads((graded / GRADES_JSON).read_text(encoding="utf-8"))
-    register, told = context.register(), dict[str, ReportResult]()
+    told = dict[str, ReportResult]()
+    # What was graded before two ids were joined is kept under the id of then; see `published_to`.
+    listed = {*context.register(), *persons_of(context.joins())}
     # Of a student's works the one whose printed report has no number: see `student_reports`.
     for report in sorted(GradesResult.from_dict(plain).reports, key=_certainty):
-        if report.student in register:
+        if report.student in listed:
             told.setdefault(report.student, report)
     for student, report in told.items():
         text = json.dumps(report.to_dict(), ensure_ascii=False, allow_nan=False)
@@ -116,16 +123,53 @@ def current(context: DeskContext) -> Publication | None:
 
 
 def published_to(context: DeskContext, student: str) -> ShownResult | None:
-    """Return what a student of the register may see; None where nothing is published."""
+    """Return what a student of the register may see; None where nothing is published.
+
+    What was published under an id that was joined with the student's is the student's, too, and
+    what was published while two were joined goes with the work where they are two again. Where
+    there are results under several, it is the one of the work that counts, else the student's own.
+    """
     publication = current(context)
     if publication is None:
         return None
     folder = _folder(context, publication.number)
-    path = folder / f"{student}.json"
+    register = context.issued.read()
+    others = sorted(ever_joined(student, register.withdrawals) - {student})
+    found = [one for id_ in (student, *others) if (one := _shown(folder, id_)) is not None]
+    if others:
+        found = [one for one in found if _is_of(one.report, student, others, context)]
+    if len(found) > 1:
+        counted = counted_works(context, {student}).get(student)
+        digest = "" if counted is None else counted.attempt.digest
+        found.sort(key=lambda one: one.report.digest != digest)
+    return found[0] if found else None
+
+
+def _is_of(report: ReportResult, student: str, others: Sequence[str], context: DeskContext) -> bool:
+    """Tell whether a result that was published is a student's, as ids are joined now.
+
+    Args:
+        report: that was published under the student's id, or one of the others.
+        student: id.
+        others: ids that were ever joined with it.
+        context: of the course.
+    """
+    joins = context.joins()
+    book = Gradebook(context.desk.engine, joins)
+    works = {(one.student, one.digest) for one in book.attempts({student, *others})}
+    if (student, report.digest) in works:
+        return True
+    # Of what no gradebook knows the id alone tells whose it is.
+    is_known = any(digest == report.digest for _, digest in works)
+    return not is_known and report.student in family({student}, joins)
+
+
+def _shown(folder: Path, id_: str) -> ShownResult | None:
+    path = folder / f"{id_}.json"
     if not path.is_file():
         return None
     report = ReportResult.from_dict(json.loads(path.read_text(encoding="utf-8")))
-    printed = folder / f"{student}.pdf"
+    printed = folder / f"{id_}.pdf"
     return ShownResult(report, printed if printed.is_file() else None)
 
 

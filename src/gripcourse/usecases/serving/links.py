@@ -8,6 +8,8 @@ from pathlib import Path
 from gripcourse.access.desk.links import Refused, SignedLink, link_text, read_link, refusal_of
 from gripcourse.errors import Problem, UsageError
 from gripcourse.exports.csv_text import table_text, text_cell
+from gripcourse.gradebook.joined import family
+from gripcourse.issuing.withdrawal import persons_of
 from gripcourse.machine.files import write_bytes
 from gripcourse.text.words import message
 from gripcourse.usecases.serving.desk import DeskBooks
@@ -105,16 +107,19 @@ def write_links(links: Iterable[PersonalLink], path: Path) -> None:
 
 
 def revoke_links(context: DeskBooks, student: str, by: str, now: datetime) -> None:
-    """Let no link that a student has open anything any more.
+    """Let no link that a student has open anything any more, under whatever id it was made.
 
     Raises:
         UsageError: the register has no such student.
     """
-    if student not in context.register():
+    joins = context.joins()
+    person = persons_of(joins).get(student, student)
+    if person not in context.register():
         what = message("The register has no student '{student}'.", student=student)
         remedy = message("Name a student by the id of the roster.")
         raise UsageError([Problem("", "", what, remedy, parameter="revoke")])
-    context.desk.revoke(student, by, now)
+    for id_ in sorted(family({person}, joins)):
+        context.desk.revoke(id_, by, now)
 
 
 def open_link(context: DeskBooks, token: str, now: datetime) -> Issued | Refused:

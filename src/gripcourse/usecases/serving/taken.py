@@ -10,7 +10,7 @@ from heapq import merge
 from itertools import accumulate, groupby
 from typing import Protocol, TypeVar
 
-from gripcourse.access.desk.model import HandIn, RegradeRequest
+from gripcourse.access.desk.model import HandIn, LoggedCheck, RegradeRequest
 from gripcourse.access.desk.store import Desk
 from gripcourse.gradebook.joined import family
 from gripcourse.issuing.withdrawal import Join, persons_of
@@ -45,6 +45,21 @@ def hand_ins_of(desk: Desk, student: str, joins: Sequence[Join]) -> tuple[HandIn
 def requests_of(desk: Desk, student: str, joins: Sequence[Join]) -> tuple[RegradeRequest, ...]:
     """Return what a person asked to be looked at again, under whatever id."""
     return _of_person(desk.requests, student, joins)
+
+
+def requests_by_person(desk: Desk, joins: Sequence[Join]) -> dict[str, tuple[RegradeRequest, ...]]:
+    """Return what everybody asked to be looked at again, by the id that stands for them now."""
+    return _by_person(desk.requests(), joins)
+
+
+def checks_of(desk: Desk, student: str, joins: Sequence[Join]) -> tuple[LoggedCheck, ...]:
+    """Return the self-checks of a person, under whatever id."""
+    return _of_person(desk.checks, student, joins)
+
+
+def checks_by_person(desk: Desk, joins: Sequence[Join]) -> dict[str, tuple[LoggedCheck, ...]]:
+    """Return the self-checks of everybody, by the id that stands for them now."""
+    return _by_person(desk.checks(), joins)
 
 
 def order_of_works(desk: Desk, joins: Sequence[Join]) -> dict[tuple[str, str], int]:

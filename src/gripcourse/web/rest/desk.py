@@ -9,7 +9,7 @@ from gripcourse.gradebook.store import Gradebook
 from gripcourse.usecases.publishing.publish import current, published_grades, published_to
 from gripcourse.usecases.serving.hand_in import kept_path, receipt_of
 from gripcourse.usecases.serving.sign_in import SESSION_HOURS, sign_in
-from gripcourse.usecases.serving.taken import hand_ins_of, requests_of
+from gripcourse.usecases.serving.taken import checks_of, hand_ins_of, requests_of
 from gripcourse.web import acts
 from gripcourse.web.group import GroupMember, Wish, groups_of, row_of, rows_of
 from gripcourse.web.rates import REFUSED_SIGN_INS
@@ -81,19 +81,19 @@ def student(call: DeskCall) -> StudentRecordResult | WebRefusal:
             for one in hand_ins_of(context.desk, id_, context.joins())
         ),
         checks=tuple(
-            LoggedCheckResult(one.number, one.digest, one.told, one.at)
-            for one in context.desk.checks(id_)
+            LoggedCheckResult(number, one.digest, one.told, one.at)
+            for number, one in enumerate(checks_of(context.desk, id_, context.joins()), start=1)
         ),
         attempts=tuple(
             AttemptResult(
-                number=one.number,
+                number=number,
                 judged=one.judged,
                 points=sum(result.points for result in one.results),
                 max_points=sum(result.max_points for result in one.results),
                 digest=one.digest,
                 at=one.graded_at,
             )
-            for one in book.attempts({id_})
+            for number, one in enumerate(book.attempts({id_}), start=1)
         ),
         marks=tuple(
             MarkResult(one.quantity, one.credit, one.marker, one.comment, one.marked_at)
