@@ -22,6 +22,7 @@ from gripcourse.exports.grades import grades_text
 from gripcourse.exports.make_report_result import report_result
 from gripcourse.exports.platforms.moodle_words import HEADINGS, MoodleColumn
 from gripcourse.gradebook.deadlines import Deadline
+from gripcourse.gradebook.enter import Draft
 from gripcourse.gradebook.timing import Waiver
 from gripcourse.grading.model import Flag, FlagCode, Report, Timing
 from gripcourse.policy.time_rules import AttemptRule, Counts, LateRule
@@ -31,6 +32,7 @@ from gripcourse.usecases.grading.grade import write_results
 from gripcourse.usecases.marks.gradebook import keep
 from gripcourse.usecases.marks.handed_in import HandingTime, handed_in_times
 from gripcourse.usecases.marks.history import history, what_counts
+from gripcourse.usecases.marks.mark import enter_mark
 from gripcourse.usecases.marks.waive import waive
 from support.classroom import forget_one_jaw
 
@@ -97,6 +99,21 @@ def test_what_a_person_says_goes_before_it_and_stays_said(office: Office) -> Non
     told, _ = [one.timing for one in office.grade()], office.files
     assert [one.days_late for one in told if one] == [0, 0]
     assert [one.counts for one in told if one] == [True, False]
+
+
+def test_a_drawing_is_marked_once_whichever_work_counts(office: Office) -> None:
+    """Marking again settles what is to be looked at, also where an earlier work counts."""
+    office.context = replace(
+        office.context, policy=replace(office.context.policy, attempts=AttemptRule(Counts.FIRST, 0))
+    )
+    first, last = office.grade()
+    lines = {"sizes": 1.0, "assembly": 0.5, "standards": 0.0}
+    draft = Draft("s01", "general_view_drawing", lines)
+    enter_mark(draft, office.context, office.place, "Петров", NOW)
+    marked = office.grade()
+    assert [one.flags for one in marked] == [first.flags, last.flags]
+    assert marked[0].open_points < first.open_points
+    assert [one.timing.counts for one in marked if one.timing] == [True, False]
 
 
 def test_a_waiver_counts_from_the_next_grading_and_can_be_withdrawn(office: Office) -> None:
