@@ -90,7 +90,7 @@ def timings_of(
     most = rules.attempts.most if rules.attempts else 0
     may = [one for one in (ordered[:most] if most else ordered) if one.attempt.judged]
     counting = _counting(may, marked, {name: cost for name, (_, cost) in costs.items()}, rules)
-    waived = waiver.why if waiver is not None and not waiver.withdrawn else ""
+    counted = waiver if waiver is not None and not waiver.withdrawn else None
     return {
         one.digest: Timing(
             number=number,
@@ -100,7 +100,8 @@ def timings_of(
             deadline=deadline,
             days_late=costs[one.digest][0],
             deduction=costs[one.digest][1],
-            waived=waived,
+            waived=counted.why if counted else "",
+            waived_until=counted.until if counted else None,
         )
         for number, one in enumerate(ordered, start=1)
     }

@@ -116,6 +116,17 @@ def test_a_drawing_is_marked_once_whichever_work_counts(office: Office) -> None:
     assert [one.timing.counts for one in marked if one.timing] == [True, False]
 
 
+def test_of_a_waiver_the_report_says_until_when_it_holds(office: Office) -> None:
+    """Else a student reads that lateness was waived, beside what it costs."""
+    until = datetime(2026, 12, 2, 10, tzinfo=UTC)
+    one = Waiver("s01", 0, until, False, "Петров", NOW, "Hospital.")
+    office.grade()
+    waive(one, office.place, office.context.register)
+    told = " ".join(timing_texts(office.grade()[1], Words("en"))).replace(NO_BREAK_SPACE, " ")
+    assert "days late: 2" in told
+    assert "Lateness was waived until 2 Dec 2026, 12:00 UTC+2: Hospital." in told
+
+
 def test_a_waiver_counts_from_the_next_grading_and_can_be_withdrawn(office: Office) -> None:
     assert office.timings()[1].deduction > 0
     office.waive()
