@@ -181,6 +181,38 @@ def test_where_the_rule_says_which_work_counts_nobody_is_asked(office: Office) -
     assert [one.report.flags for one in kept] == [(), ()]
 
 
+@pytest.mark.parametrize(
+    ("counts", "most", "is_asked"),
+    [
+        (Counts.BEST, 0, False),
+        (Counts.BEST, 2, False),
+        (Counts.BEST, 1, True),
+        (Counts.LAST, 0, True),
+        (Counts.FIRST, 0, True),
+    ],
+)
+def test_of_works_of_one_moment_the_best_counts_and_nobody_is_asked(
+    office: Office, counts: Counts, most: int, *, is_asked: bool
+) -> None:
+    rules = replace(office.context.policy, attempts=AttemptRule(counts, most))
+    office.context = replace(office.context, policy=rules)
+    asked = [FlagCode.SEVERAL_FILES] * 2
+    flags = [flag.code for one in office.grade("2026-12-01 10:00") for flag in one.flags]
+    assert flags == (asked if is_asked else [])
+
+
+def test_where_nobody_knows_when_works_came_lateness_may_decide_which_is_best(
+    office: Office,
+) -> None:
+    rules = replace(office.context.policy, attempts=AttemptRule(Counts.BEST, 0))
+    alone = [grade_file(one, office.context) for one in office.files]
+    graded = with_reports([Graded(one, "") for one in alone], doubles(alone))
+    for late, is_asked in ((rules.late, True), (None, False)):
+        context = replace(office.context, policy=replace(rules, late=late))
+        kept = keep(graded, context, office.place, NOW)
+        assert [bool(one.report.flags) for one in kept] == [is_asked] * 2
+
+
 def test_works_without_a_time_are_named_and_have_no_days_late(office: Office) -> None:
     graded = [Graded(grade_file(one, office.context), "") for one in office.files]
     reports = [one.report for one in keep(graded, office.context, office.place, NOW)]

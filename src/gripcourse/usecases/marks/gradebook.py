@@ -1,7 +1,7 @@
 """Keeping what was graded, and letting the marks of persons enter the reports."""
 
 from collections import defaultdict
-from collections.abc import Container, Iterable, Mapping, Sequence
+from collections.abc import Container, Mapping, Sequence
 from dataclasses import dataclass, replace
 from datetime import datetime
 from itertools import chain, islice
@@ -24,9 +24,9 @@ from gripcourse.gradebook.model import (
 )
 from gripcourse.gradebook.results import digest_is_known
 from gripcourse.gradebook.store import Gradebook, open_gradebook
-from gripcourse.gradebook.timing import Waiver, lateness, timings_by_policy
+from gripcourse.gradebook.timing import Waiver, is_settled, lateness, timings_by_policy
 from gripcourse.gradebook.works import StudentWork, standing_of, works_of
-from gripcourse.grading.model import Flag, FlagCode, Report, Timing
+from gripcourse.grading.model import Flag, FlagCode, Report
 from gripcourse.machine.database.home import exists
 from gripcourse.machine.database.opening import demand_writing
 from gripcourse.policy.time_rules import Counts
@@ -191,7 +191,7 @@ def _kept(
                 replace(one, flags=(*one.flags, *doubt))
                 for one, doubt in zip(entered, doubts, strict=True)
             ]
-        if policy.attempts is not None and _is_ordered(timings.values(), works[name]):
+        if is_settled(policy.attempts, timings.values(), works[name]):
             entered = [_undisputed(one) for one in entered]
         for number, found_out, stands_now in zip(places[name], reports[name], entered, strict=True):
             if stands_now is not found_out:
@@ -211,14 +211,6 @@ def _known(keeping: _Keeping, students: Sequence[str]) -> tuple[Attempt, ...]:
     to_read |= {one.student for one in others if not digest_is_known(one.results)}
     unread = (one for one in others if one.student not in to_read)
     return (*unread, *(keeping.book.attempts(to_read) if to_read else ()))
-
-
-def _is_ordered(timings: Iterable[Timing], works: Sequence[StudentWork]) -> bool:
-    """Tell whether it is known which work of a student was handed in before which."""
-    if all(one.taken is not None for one in works):
-        return True
-    times = [one.handed_in for one in timings]
-    return None not in times and len(set(times)) == len(times)
 
 
 def _undisputed(report: Report) -> Report:
