@@ -173,6 +173,39 @@ class TestPublished:
         )
 
 
+class TestTakingBackWhatWasTold:
+    """Students were told the raised results: taking them back needs a word, as lowering does."""
+
+    @pytest.fixture
+    def told(self, faculty: Faculty) -> Faculty:
+        apply_regrade(faculty.regrade(), faculty.place, faculty.signed())
+        publish(faculty.place, (), faculty.signed())
+        apply_regrade(faculty.regrade(faculty.today), faculty.place, faculty.signed())
+        return faculty
+
+    def test_a_result_that_was_told_gets_worse_only_where_somebody_says_so(
+        self, told: Faculty
+    ) -> None:
+        publish(told.place, (), told.signed())
+        before = told.grade(told.today)["s02"].score
+        with pytest.raises(
+            UsageError, match=r"published to s02, who would get .*regrade stand"
+        ) as no:
+            undo_regrade(told.place, told.signed())
+        assert [one.step for one in no.value.problems] == [NextStep.ALLOW_LOWER]
+        assert told.grade(told.today)["s02"].score == before
+        undo_regrade(told.place, told.signed(), allow_lower=True)
+        assert told.grade(told.today)["s02"].score < before
+
+    def test_whom_nobody_told_the_raised_result_loses_nothing(self, told: Faculty) -> None:
+        assert undo_regrade(told.place, told.signed()).undoes == 2
+
+    def test_what_gets_better_is_taken_back_without_more_ado(self, faculty: Faculty) -> None:
+        apply_regrade(faculty.regrade(), faculty.place, faculty.signed())
+        publish(faculty.place, (), faculty.signed())
+        assert undo_regrade(faculty.place, faculty.signed()).undoes == 1
+
+
 def test_what_was_said_of_the_time_stays_said_when_a_regrade_is_taken_back(
     faculty: Faculty,
 ) -> None:
