@@ -175,11 +175,12 @@ class TestGrading:
         late = replace(own.policy, late=LateRule(0.1, 0.5, 0, "Europe/Kyiv"))
         course = replace(own, policy=late)
         table = deadlines_path(own.root)
-        table.write_text("group,student,deadline\n,,some day\n", encoding="utf-8")
         files, book = [("s01.xlsx", handed_in["s01"])], tmp_path / "book.sqlite"
         try:
-            with pytest.raises(gc.GripcourseError, match="some day"):
-                course.grade(files, gradebook=book, on_done=done.append)
+            for row, said in ((",,some day", "some day"), (",s0l,2026-12-08", "no student 's0l'")):
+                table.write_text(f"group,student,deadline\n{row}\n", encoding="utf-8")
+                with pytest.raises(gc.GripcourseError, match=said):
+                    course.grade(files, gradebook=book, on_done=done.append)
         finally:
             table.unlink()
         with pytest.raises(gc.GripcourseError, match="tomorrow"):

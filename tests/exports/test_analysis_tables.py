@@ -18,6 +18,7 @@ from gripcourse.text.words import Words, message
 
 Change = Callable[..., Report]
 NOW = datetime(2026, 12, 1, 9, tzinfo=UTC)
+SAID = datetime(2026, 11, 30, 18, tzinfo=UTC)
 
 
 def attempt(student: str, digest: str, points: float, regrade: int | None = None) -> Attempt:
@@ -67,10 +68,13 @@ def test_a_regrade_is_told_before_and_after(*, undone: bool) -> None:
     attempts = [
         attempt("s1", "a", 2.0),
         attempt("s1", "b", 1.0),
-        attempt("s1", "a", 4.0, regrade=1),
+        replace(attempt("s1", "a", 4.0, regrade=1), handed_in=None),
         attempt("s2", "c", 4.0),
         attempt("s2", "c", 4.0, regrade=1),
+        # A person said after the regrade when it was handed in.
+        replace(attempt("s2", "c", 4.0, regrade=1), handed_in=SAID, handed_in_said=True),
     ]
+    attempts = [replace(one, number=number) for number, one in enumerate(attempts, start=1)]
     signed = Signed("head", NOW, "why")
     journal = [Regrade(1, None, signed), *([Regrade(2, 1, signed)] if undone else [])]
     tables = history_tables(attempts, journal)
@@ -82,4 +86,5 @@ def test_a_regrade_is_told_before_and_after(*, undone: bool) -> None:
     assert list(times["student"]) == ["s1", "s1", "s2"]
     assert list(times["work"]) == [1, 2, 1]
     assert list(times["of"]) == [2, 2, 1]
-    assert set(times["handed_in"]) == {NOW.isoformat()}
+    assert list(times["handed_in"]) == [NOW.isoformat(), NOW.isoformat(), SAID.isoformat()]
+    assert list(times["said"]) == [False, False, True]

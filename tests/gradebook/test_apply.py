@@ -180,6 +180,27 @@ class TestLookAgain:
         again = [enter(credit=0.75), enter(credit=0.75, number=2, against=now)]
         assert FlagCode.MARK_OUTDATED not in codes(with_marks(now, again))
 
+    def test_a_work_that_was_there_when_the_mark_was_given_brings_nothing_new(
+        self, report: MakeReport, enter: Enter
+    ) -> None:
+        """Marks are entered against the last work, also where an earlier one counts."""
+        earlier, entered = report(digest="b" * 64), enter(credit=0.75)
+        seen = replace(entered, attempt=replace(entered.attempt, number=2))
+        assert FlagCode.MARK_OUTDATED not in codes(with_marks(earlier, [seen], since=("s01", 1)))
+        assert FlagCode.MARK_OUTDATED in codes(with_marks(earlier, [seen], since=("s01", 3)))
+        of_another_id = replace(seen, attempt=replace(seen.attempt, kept_as="s09"))
+        assert FlagCode.MARK_OUTDATED in codes(
+            with_marks(earlier, [of_another_id], since=("s01", 1))
+        )
+
+    def test_of_an_earlier_work_too_another_result_of_the_item_is_flagged(
+        self, report: MakeReport, enter: Enter
+    ) -> None:
+        earlier = report(digest="b" * 64, bore=(Outcome.CORRECT, 2.0, 2.0))
+        overruled = enter("bore", 0.5, comment="другой каталог")
+        seen = replace(overruled, attempt=replace(overruled.attempt, number=2))
+        assert FlagCode.MARK_OUTDATED in codes(with_marks(earlier, [seen], since=("s01", 1)))
+
     def test_a_mark_of_an_item_that_is_gone_is_not_forgotten_silently(
         self, report: MakeReport, enter: Enter
     ) -> None:

@@ -143,6 +143,27 @@ def test_a_row_for_nobody_is_named_where_it_is_known_who_there_is() -> None:
     ]
 
 
+@pytest.mark.parametrize("written", ["РТК 41", "ртк41", "PTK-41"])
+def test_a_group_is_the_same_however_it_is_written(written: str) -> None:
+    """As on lists: the second is in lower case, the third in Latin letters."""
+    people = [issued("s01", "РТК-41").student, issued("s02", "").student]
+    source = NamedBytes("d.csv", f"group,student,deadline\n{written},,2026-12-08\n".encode())
+    rows = read_deadlines(source, KYIV, people)
+    assert deadline_of(issued("s01", "РТК-41"), rows, KYIV) == rows[0].at
+    assert deadline_of(issued("s02", "", None), rows, KYIV) is None
+    twice = f"group,student,deadline\n{written},,2026-12-08\nРТК-41,,2026-12-09\n"
+    with pytest.raises(TableError, match="a second deadline for the same people"):
+        table(twice)
+
+
+def test_a_dash_for_a_group_is_not_everybody() -> None:
+    people = [issued("s01", "РТК-41").student, issued("s02", "").student]
+    source = NamedBytes("deadlines.csv", "group,student,deadline\n—,,2026-12-08\n".encode())
+    assert deadline_of(issued("s02", "", None), read_deadlines(source, KYIV), KYIV) is None
+    with pytest.raises(TableError, match="Nobody is in group"):
+        read_deadlines(source, KYIV, people)
+
+
 def test_summer_time_is_kept() -> None:
     summer, winter = (moment_of(day, KYIV) for day in ("2026-07-01 12:00", "2026-12-01 12:00"))
     assert summer is not None

@@ -105,6 +105,9 @@ def test_a_waiver_moves_the_deadline_or_takes_it_away_until_it_is_withdrawn(
     ]
     assert shares == pytest.approx([0.3, 0, 0.2, 0.3])
     assert timings(works, waiver())[0].waived == "болезнь"
+    told = [timings(works, one)[0].waived_until for one in (None, waiver(), waiver(until))]
+    assert told == [None, None, until]
+    assert timings(works, waiver(until, withdrawn=True))[0].waived_until is None
 
 
 @pytest.mark.parametrize(

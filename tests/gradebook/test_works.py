@@ -2,12 +2,13 @@
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
+from datetime import UTC, datetime
 
 import pytest
 
 from gripcourse.gradebook.apply import with_marks
 from gripcourse.gradebook.model import Attempt, GradebookEntry, Mark, latest_marks
-from gripcourse.gradebook.works import latest_judged, points_of, works_of
+from gripcourse.gradebook.works import latest_judged, points_of, standing_of, works_of
 from gripcourse.grading.model import Outcome, Report
 
 MakeReport = Callable[..., Report]
@@ -35,6 +36,21 @@ def test_a_last_file_that_could_not_be_judged_leaves_the_one_before(
 ) -> None:
     broken = replace(report(digest="b" * 64), judged=False, findings=())
     assert latest_judged(numbered(attempts(report(), broken)))["s01"].number == 1
+
+
+def test_what_was_said_of_the_time_outlives_the_regrade_that_it_was_said_after(
+    report: MakeReport, attempts: MakeAttempts
+) -> None:
+    """Whoever takes a regrade back says nothing about when works were handed in."""
+    said = datetime(2026, 12, 1, 18, tzinfo=UTC)
+    kept = numbered(attempts(*[report(digest=one * 64) for one in "abaa"]))
+    kept[2] = replace(kept[2], regrade=1)
+    kept[3] = replace(kept[3], regrade=1, handed_in=said, handed_in_said=True)
+    first, second = works_of(standing_of(kept, {1}))["s01"]
+    assert (first.attempt.number, first.handed_in) == (1, said)
+    assert (second.attempt.number, second.handed_in) == (2, None)
+    assert standing_of(kept, set()) == tuple(kept)
+    assert standing_of(kept[3:], {1}) == ()
 
 
 @pytest.mark.parametrize("credit", [None, 0.0, 0.25, 1.0])

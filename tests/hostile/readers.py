@@ -42,7 +42,13 @@ from gripcourse.usecases.authoring.init import empty_course
 from gripcourse.usecases.grading.collect import why_not
 from gripcourse.web.pictures import picture_of
 from gripcourse.web.rest.bodies import usable
-from gripcourse.web.rest.wishes import MarkWish, PublishingReason, RegradeWish, RegradingWish
+from gripcourse.web.rest.wishes import (
+    MarkWish,
+    PublishingReason,
+    RegradeWish,
+    RegradingWish,
+    UndoingWish,
+)
 
 if __name__ == "__main__":  # as a program it does not know where the tests are
     sys.path.insert(0, str(Path(__file__).parents[1]))
@@ -191,7 +197,7 @@ def _course(data: bytes) -> object:
 
 
 _RESULTS: Final = (SolutionResult, VariantsResult, CheckResult, GradesResult)
-_WISHES: Final = (RegradeWish, PublishingReason, RegradingWish, MarkWish)
+_WISHES: Final = (RegradeWish, PublishingReason, RegradingWish, UndoingWish, MarkWish)
 
 
 def _results(data: bytes) -> object:

@@ -70,6 +70,11 @@ def test_a_column_without_heading_has_its_letter(position: int) -> None:
     assert column_name(position, ("",) * 703) == expected
 
 
+def test_a_folder_is_told_from_a_file_that_is_not_there(tmp_path: Path) -> None:
+    with pytest.raises(TableError, match="a folder, not a file"):
+        read_sheet(tmp_path)
+
+
 @pytest.mark.parametrize(
     ("name", "content", "said"),
     [

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import pytest
 
-from gripcourse.gradebook.journal import regrades
+from gripcourse.gradebook.journal import Regrade, Signed, regrades
 from gripcourse.gradebook.store import Gradebook
 from gripcourse.gradebook.works import works_of
 from gripcourse.usecases.marks.regrade import Regrading
@@ -149,6 +149,23 @@ def test_a_regrade_counts_only_as_it_was_shown_and_with_a_reason(graded: "Server
     assert 'name="seen"' not in again
     client.post("/desk/regrading/undo", data={"form_key": key, "why": "a mistake"})
     assert regrades(book(graded))[-1].undoes == kept.number
+
+
+@pytest.mark.parametrize("word", ["", "yes"])
+def test_that_told_results_may_get_worse_is_said_at_the_desk_too(
+    graded: "Server", monkeypatch: pytest.MonkeyPatch, word: str
+) -> None:
+    asked = list[bool]()
+
+    def take_back(_place: str, signed: Signed, *, allow_lower: bool) -> Regrade:
+        asked.append(allow_lower)
+        return Regrade(2, 1, signed)
+
+    monkeypatch.setattr("gripcourse.web.desk_acts.undo_regrade", take_back)
+    client = sign_in(graded)
+    form = {"form_key": form_key(client), "why": "a mistake", "allow_lower": word}
+    assert client.post("/desk/regrading/undo", data=form).status_code == 200
+    assert asked == [word == "yes"]
 
 
 def test_works_that_were_graded_and_never_handed_in_are_named(

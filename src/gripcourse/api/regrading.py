@@ -113,16 +113,26 @@ def apply_regrade(
 
 
 @refusals_said
-def undo_regrade(gradebook: str | Path, *, by: str, why: str) -> "Regrade":
+def undo_regrade(
+    gradebook: str | Path, *, by: str, why: str, allow_lower: bool = False
+) -> "Regrade":
     """Take the last regrade back, by a new entry.
 
+    Args:
+        gradebook: path or database URL.
+        by: who takes it back.
+        why: the reason, kept for good.
+        allow_lower: whether results that students were told since may get worse.
+
     Raises:
-        GripcourseError: no reason is given, or there is nothing to take back.
+        GripcourseError: no reason is given, there is nothing to take back, or a published result
+            would get worse; nothing was changed.
     """
     from gripcourse.gradebook.journal import Signed
     from gripcourse.usecases.marks.regrade import undo_regrade as undo
 
-    return undo(place_of(gradebook), Signed(by, datetime.now(UTC), why))
+    signed = Signed(by, datetime.now(UTC), why)
+    return undo(place_of(gradebook), signed, allow_lower=allow_lower)
 
 
 @refusals_said

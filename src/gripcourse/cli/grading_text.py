@@ -2,7 +2,7 @@
 
 from array import array
 from collections import Counter
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -86,11 +86,13 @@ def batch_text(outcome: "GradingOutcome", out: Path, words: Words) -> str:
     called = _called(outcome.reports)
     lines = list[str]()
     asks = False
+    names = set[str]()  # of those who handed something in
 
     def row(one: "Report") -> tuple[str, ...]:
         nonlocal asks
         lines.extend(f"{called(one.file)}: {words.say(flag.message)}" for flag in one.flags)
         asks |= any(flag.code is FlagCode.WHO_HANDED_IN for flag in one.flags)
+        names.add(one.name)
         return (
             called(one.file),
             one_line(one.name) or one.student or "—",
@@ -115,7 +117,7 @@ def batch_text(outcome: "GradingOutcome", out: Path, words: Words) -> str:
     lines += _passed_over(outcome, words)
     lines += times_text.without_times(outcome.reports, words)
     lines += times_text.without_deadlines(outcome.undated, words)
-    lines += _missing(outcome.missing, words)
+    lines += _missing(outcome.missing, names, words)
     if outcome.left_over:
         said = message(
             "Reports of an earlier run that this one did not renew: {names}.",
@@ -217,13 +219,29 @@ def _passed_over(outcome: "GradingOutcome", words: Words) -> Iterator[str]:
             yield words.say(said)
 
 
-def _missing(students: Sequence["Student"], words: Words) -> Iterator[str]:
-    """Say who has handed nothing in; `grades.csv` has a row for each."""
+def _missing(
+    students: Sequence["Student"], handed_in: Collection[str], words: Words
+) -> Iterator[str]:
+    """Say who has handed nothing in; `grades.csv` has a row for each.
+
+    Args:
+        students: who has not.
+        handed_in: the names of those who have: of namesakes the id says who is meant.
+        words: the reader's language.
+    """
     if students:
+        bearers = Counter(one.name for one in students)
+        shared = {name for name, count in bearers.items() if count > 1 or name in handed_in} - {""}
+        called = [
+            f"{one_line(one.name)} ({one.id})"
+            if one.name in shared
+            else one_line(one.name) or one.id
+            for one in students
+        ]
         said = message(
             "Nothing handed in ({count}): {names}.",
             count=len(students),
-            names=first_of([one_line(one.name) or one.id for one in students], _NAMED),
+            names=first_of(called, _NAMED),
         )
         yield words.say(said)
 

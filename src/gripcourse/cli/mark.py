@@ -2,6 +2,7 @@
 
 import getpass
 from datetime import UTC, datetime
+from functools import partial
 from pathlib import Path
 from typing import Annotated
 
@@ -23,6 +24,7 @@ from gripcourse.cli.options import (
     words_for,
 )
 from gripcourse.cli.pairs import read_lines
+from gripcourse.machine.former_file import keeping_former
 from gripcourse.text.words import message
 
 # Every command imports what it needs itself: numpy, pandas and the database cost half a second.
@@ -99,8 +101,11 @@ def mark(  # noqa: PLR0913 (one parameter per option)
         context = open_grading(root)
         waits = command.what_waits(place, context.joins)
         if out is not None:
-            command.write_waiting(waits, context, place, out)
+            write = partial(command.write_waiting, waits, context, place, out)
+            _, kept = keeping_former(out, write)
             typer.echo(str(out))
+            if kept is not None:
+                confirm(words.say(cli_text.kept_former(out, kept)))
         else:
             typer.echo(grading_text.waiting_text(waits, context, words))
         raise typer.Exit(NEEDS_PERSON if waits else DONE)

@@ -79,6 +79,9 @@ ClusterOption = Annotated[
 ByOption = Annotated[
     str | None, typer.Option("--by", help="Who does it; default: the user of this machine.")
 ]
+AllowLowerOption = Annotated[
+    bool, typer.Option("--allow-lower", help="Published results may get worse.")
+]
 WhyOption = Annotated[str, typer.Option("--why", help="Why, in a few words; it is kept.")]
 PROCESSORS = os.cpu_count() or 1
 AfreshOption = Annotated[

@@ -16,6 +16,7 @@ from gripcourse.cli.options import (
     DONE,
     NEEDS_PERSON,
     PROCESSORS,
+    AllowLowerOption,
     ByOption,
     CourseOption,
     EitherVersionOption,
@@ -55,9 +56,7 @@ def regrade(  # noqa: PLR0913 (one parameter per option)
         bool, typer.Option("--apply", help="Let the new results count; needs a reason.")
     ] = False,
     why: WhyOption = "",
-    allow_lower: Annotated[
-        bool, typer.Option("--allow-lower", help="Published results may get worse.")
-    ] = False,
+    allow_lower: AllowLowerOption = False,
     by: ByOption = None,
     whose: WhoseOption = None,
     either_version: EitherVersionOption = None,
@@ -111,6 +110,7 @@ def regrade(  # noqa: PLR0913 (one parameter per option)
 def undo(
     *,
     why: WhyOption = "",
+    allow_lower: AllowLowerOption = False,
     by: ByOption = None,
     gradebook: GradebookOption = None,
     course: CourseOption = None,
@@ -122,7 +122,8 @@ def undo(
 
     words = words_for(language)
     place = gradebook_place(gradebook, course_folder(course))
-    done = undo_regrade(place, Signed(by or getpass.getuser(), datetime.now(UTC), why))
+    signed = Signed(by or getpass.getuser(), datetime.now(UTC), why)
+    done = undo_regrade(place, signed, allow_lower=allow_lower)
     confirm(regrade_text.undone_text(done, words))
 
 

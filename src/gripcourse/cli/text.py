@@ -105,6 +105,15 @@ def written_variants(count: int, file: Path) -> Message:
     )
 
 
+def kept_former(file: Path, kept: Path) -> Message:
+    """Say where the file is whose place another one took."""
+    return message(
+        "{file} was there already and said something else: it is {kept} now.",
+        file=file.name,
+        kept=str(kept),
+    )
+
+
 def drawn_text(drawn: "Drawn", out: Path, words: Words) -> str:
     """Return how many variants were drawn, the acceptance rates and the main reasons."""
     lines = [words.say(written_variants(len(drawn.variants), out))]

@@ -1,7 +1,7 @@
 """The commands on tables of variants: parse, one call, print, exit code. No logic."""
 
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
@@ -28,7 +28,11 @@ from gripcourse.cli.options import (
     main_table,
     words_for,
 )
+from gripcourse.machine.former_file import keeping_former
 from gripcourse.text.words import Words, message
+
+if TYPE_CHECKING:
+    from gripcourse.variants.draw import Drawn
 
 # Every command imports what it needs itself: numpy, pandas and WeasyPrint cost up to half a second.
 # ruff: noqa: PLC0415
@@ -61,8 +65,13 @@ def draw(  # noqa: PLR0913 (one parameter per option)
         raise cli_text.misuse(message("--freely and --apart-from exclude each other."))
     words = words_for(language)
     loaded = load_course(course_folder(course))
-    drawn = draw_table(loaded, count, seed, scheme, out, freely=freely, apart_from=apart_from)
+
+    def make() -> "Drawn":
+        return draw_table(loaded, count, seed, scheme, out, freely=freely, apart_from=apart_from)
+
+    drawn, kept = keeping_former(out, make)
     confirm(cli_text.drawn_text(drawn, out, words))
+    _tell_former(out, kept, words)
 
 
 @app.command("import", cls=SpokenCommand)
@@ -80,10 +89,12 @@ def import_(
     from gripcourse.usecases.solving.variants import import_table
 
     words = words_for(language)
-    table = import_table(load_course(course_folder(course)), source, out)
+    loaded = load_course(course_folder(course))
+    table, kept = keeping_former(out, lambda: import_table(loaded, source, out))
     for note in table.notes:
         confirm(words.say(note))
     confirm(words.say(cli_text.written_variants(len(table.variants), out)))
+    _tell_former(out, kept, words)
 
 
 @app.command("template", cls=SpokenCommand)
@@ -102,8 +113,10 @@ def template(
     from gripcourse.usecases.solving.variants import write_template
 
     words = words_for(language)
-    variants = write_template(load_course(course_folder(course)), scheme, rows, out)
+    loaded = load_course(course_folder(course))
+    variants, kept = keeping_former(out, lambda: write_template(loaded, scheme, rows, out))
     confirm(words.say(cli_text.written_variants(len(variants), out)))
+    _tell_former(out, kept, words)
 
 
 @app.command("audit", cls=SpokenCommand)
@@ -139,3 +152,9 @@ def audit(  # noqa: PLR0913 (one parameter per option)
     )
     confirm(cli_text.audit_text(audited, words_for(language)))
     raise typer.Exit(DONE if audited.audit.passed else NEEDS_PERSON)
+
+
+def _tell_former(out: Path, kept: Path | None, words: Words) -> None:
+    """Say where the table is whose place another one took."""
+    if kept is not None:
+        confirm(words.say(cli_text.kept_former(out, kept)))

@@ -1,13 +1,13 @@
 """What a cohort's works say about the assignment, as tables; headings are ids."""
 
 from collections import Counter, defaultdict
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Container, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 from gripcourse.exports.report_result import GradesResult, ReportResult
 from gripcourse.gradebook.journal import Regrade
 from gripcourse.gradebook.model import Attempt
-from gripcourse.gradebook.works import in_order, works_of
+from gripcourse.gradebook.works import in_order, standing_of, works_of
 from gripcourse.grading.analytics.difficulty import difficulty_table
 from gripcourse.grading.analytics.reliability import reliability_table
 from gripcourse.grading.analytics.shares import item_table, score_table, share_table
@@ -56,7 +56,8 @@ def history_tables(
     undone = {one.undoes for one in regrades if one.undoes is not None}
     return {
         "times": pd.DataFrame(
-            _times(attempts), columns=["student", "work", "of", "handed_in", "said", "graded_at"]
+            _times(attempts, undone),
+            columns=["student", "work", "of", "handed_in", "said", "graded_at"],
         ),
         "regrades": pd.DataFrame(
             _regrades(attempts, undone),
@@ -91,8 +92,9 @@ def _mistakes(report: ReportResult) -> Iterator[tuple[str, str]]:
             yield one.roots[0], one.slip  # a step that was left out: its slip shows here
 
 
-def _times(attempts: Sequence[Attempt]) -> list[tuple[Any, ...]]:
+def _times(attempts: Sequence[Attempt], undone: Container[int | None]) -> list[tuple[Any, ...]]:
     """Return a row for each work, in the order in which a student's works came."""
+    # A regrade does not know when a work came: what was found first or said last does.
     said: set[_Key] = {(one.student, one.digest) for one in attempts if one.handed_in_said}
     return [
         (
@@ -103,7 +105,7 @@ def _times(attempts: Sequence[Attempt]) -> list[tuple[Any, ...]]:
             (student, work.digest) in said,
             work.attempt.graded_at.isoformat(),
         )
-        for student, works in sorted(works_of(attempts).items())
+        for student, works in sorted(works_of(standing_of(attempts, undone)).items())
         for number, work in enumerate(in_order(works), start=1)
     ]
 
@@ -111,11 +113,14 @@ def _times(attempts: Sequence[Attempt]) -> list[tuple[Any, ...]]:
 def _regrades(attempts: Sequence[Attempt], undone: set[int]) -> list[tuple[Any, ...]]:
     """Return what each regrade did to each quantity: its mean share, before and after."""
     stands: dict[_Key, Attempt] = {}
+    told: set[tuple[int, _Key]] = set()
     pairs: dict[tuple[int, str], list[tuple[float, float]]] = defaultdict(list)
     for one in attempts:
         key = one.student, one.digest
         before = stands.get(key)
-        if one.regrade is not None and before is not None:
+        # A time that was said after it is kept with the results of the regrade once more.
+        if one.regrade is not None and before is not None and (one.regrade, key) not in told:
+            told.add((one.regrade, key))
             old, new = _shares(before), _shares(one)
             for quantity in old.keys() & new.keys():
                 pairs[one.regrade, quantity].append((old[quantity], new[quantity]))

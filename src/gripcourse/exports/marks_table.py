@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Final
 
 from gripcourse.exports.csv_text import text_cell
 from gripcourse.machine.files import write_bytes
-from gripcourse.machine.spreadsheet.table_page import set_table_page
+from gripcourse.machine.spreadsheet.table_page import set_no_moment, set_table_page
 from gripcourse.policy.rubric import MOST_TOGETHER, Rubric, RubricLine, column_heading, lines_of
 from gripcourse.text.conventions import is_english
 from gripcourse.text.shown import shown
@@ -121,6 +121,7 @@ def _workbook(columns: Sequence[_MarksColumn], count: int) -> bytes:
     plain = {"in_memory": True, "strings_to_formulas": False, "strings_to_urls": False}
     with xlsxwriter.Workbook(stream, plain) as book:
         sheet = book.add_worksheet()
+        set_no_moment(book)
         bold = book.add_format({"bold": True, "text_wrap": True, "valign": "top", "border": 1})
         for place, column in enumerate(columns):
             sheet.write_string(0, place, column.heading, bold)

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 from gripcourse.exports.csv_text import rounded_points, text_cell
 from gripcourse.exports.grades import NOT_HANDED_IN
 from gripcourse.exports.report_result import FindingResult, GradesResult, ReportResult
-from gripcourse.machine.spreadsheet.table_page import set_table_page
+from gripcourse.machine.spreadsheet.table_page import set_no_moment, set_table_page
 from gripcourse.text.shown import shown
 from gripcourse.variants.model import Student
 
@@ -98,6 +98,7 @@ def workbook(tables: "Mapping[str, pd.DataFrame]") -> bytes:
     stream = io.BytesIO()
     plain = {"strings_to_formulas": False, "strings_to_urls": False}
     with pd.ExcelWriter(stream, engine="xlsxwriter", engine_kwargs={"options": plain}) as writer:
+        set_no_moment(writer.book)
         for name, table in tables.items():
             _cells(table, shown, lambda value: float(_number(value))).to_excel(
                 writer, sheet_name=name, index=False

@@ -25,7 +25,9 @@ from gripcourse.grading.model import (
 from gripcourse.text.words import message
 
 
-def with_marks(report: Report, entries: Iterable[GradebookEntry]) -> Report:
+def with_marks(
+    report: Report, entries: Iterable[GradebookEntry], since: tuple[str, int] | None = None
+) -> Report:
     """Return the report with what persons decided.
 
     The latest mark of each item counts, whatever was graded since. Where the file or what the
@@ -34,6 +36,7 @@ def with_marks(report: Report, entries: Iterable[GradebookEntry]) -> Report:
     Args:
         report: as the program judged it, without any mark.
         entries: all marks of the report's student, in any order.
+        since: key of the attempt by which the file was judged first; None where it comes new.
 
     Returns:
         The report with decided items, and with score, open points and flags to match. A report that
@@ -42,7 +45,7 @@ def with_marks(report: Report, entries: Iterable[GradebookEntry]) -> Report:
     entered = latest_marks(entries)
     if not report.judged or not entered:
         return report
-    outdated = _outdated(report, entered)
+    outdated = _outdated(report, entered, since)
     findings = tuple(_decided(one, entered.get(one.quantity), outdated) for one in report.findings)
     sums = sums_of(findings)
     return replace(
@@ -123,10 +126,12 @@ def _as_kept(finding: Finding, kept: Result) -> Finding:
     )
 
 
-def _outdated(report: Report, entered: Mapping[str, GradebookEntry]) -> set[str]:
+def _outdated(
+    report: Report, entered: Mapping[str, GradebookEntry], since: tuple[str, int] | None
+) -> set[str]:
     """Return the items whose file or automatic result is another than their marker saw."""
-    results = results_of(report)
-    return {name for name, entry in entered.items() if is_outdated(entry, report.digest, results)}
+    results, digest = results_of(report), report.digest
+    return {name for name, one in entered.items() if is_outdated(one, digest, results, since)}
 
 
 def _decided(finding: Finding, entry: GradebookEntry | None, outdated: Container[str]) -> Finding:

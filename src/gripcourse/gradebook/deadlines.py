@@ -9,6 +9,7 @@ from typing import Final
 from zoneinfo import ZoneInfo
 
 from gripcourse.errors import Problem, TableError
+from gripcourse.issuing.same_person import letters_of
 from gripcourse.machine.content import Readable
 from gripcourse.machine.resources import deadlines_path
 from gripcourse.policy.time_rules import LateRule, zone_of
@@ -37,17 +38,24 @@ class Deadline:
     at: datetime
 
 
-def course_deadlines(root: Path, rule: LateRule | None) -> tuple[Deadline, ...]:
+def course_deadlines(
+    root: Path, rule: LateRule | None, people: Collection[Student] = ()
+) -> tuple[Deadline, ...]:
     """Read a course's own table of deadlines; empty where it has none or lateness costs nothing.
 
     A table that cannot be used is refused there too: who writes it should hear so now, not when
     lateness begins to cost something.
 
+    Args:
+        root: of the course.
+        rule: of lateness; None where it costs nothing.
+        people: see `read_deadlines`.
+
     Raises:
         TableError: the table cannot be used.
     """
     path = deadlines_path(root)
-    rows = read_deadlines(path, zone_of(rule)) if path.is_file() else ()
+    rows = read_deadlines(path, zone_of(rule), people) if path.is_file() else ()
     return () if rule is None else rows
 
 
@@ -72,11 +80,11 @@ def deadline_of(issued: Issued, rows: tuple[Deadline, ...], zone: ZoneInfo) -> d
 
 
 def _nearest(student: Student, rows: tuple[Deadline, ...]) -> datetime | None:
-    wanted = ((student.group, student.id), ("", student.id), (student.group, ""), ("", ""))
-    for group, name in wanted:
-        for row in rows:
-            if (row.group, row.student) == (group, name):
-                return row.at
+    group = _one_group(student.group)
+    by_whom = {_whom(row): row.at for row in rows}
+    for whom in ((group, student.id), ("", student.id), (group, ""), ("", "")):
+        if whom in by_whom:
+            return by_whom[whom]
     return None
 
 
@@ -105,17 +113,18 @@ def read_deadlines(
     problems = list(_heading_problems(sheet))
     if problems:
         raise TableError(problems)
+    groups = {one.id: one.group for one in people}
     found: dict[tuple[str, str], Deadline] = {}
     for row in sheet.rows:
         one = _row(sheet, row, zone, called, problems)
         if one is None:
             continue
-        if (one.group, one.student) in found:
+        if _whom(one) in found:
             what = message("There is a second deadline for the same people.")
             place = cell_place(row.number, called["deadline"])
             problems.append(Problem(sheet.file, place, what, message("Leave one of them.")))
-        found[one.group, one.student] = one
-        problems += _nobody(sheet.file, row, one, called, people)
+        found[_whom(one)] = one
+        problems += _nobody(sheet.file, row, one, called, groups)
     if problems:
         raise TableError(problems)
     return tuple(found.values())
@@ -181,25 +190,34 @@ def _nobody(
     row: SheetRow,
     deadline: Deadline,
     called: Mapping[str, str],
-    people: Collection[Student],
+    groups: Mapping[str, str],
 ) -> Iterator[Problem]:
     """Say whom of those that a deadline names nobody knows: it would be nobody's, silently."""
-    if not people:
+    if not groups:
         return
-    groups = {one.id: one.group for one in people}
     group, student = deadline.group, deadline.student
     if student and student not in groups:
         what = message("The register has no student '{student}'.", student=student)
         place = cell_place(row.number, called["student"])
         yield Problem(file, place, what, did_you_mean(student, groups))
-    elif student and group and groups[student] != group:
+    elif student and group and _one_group(groups[student]) != _one_group(group):
         what = message("{student} is not in group '{group}'.", student=student, group=group)
         place = cell_place(row.number, called["group"])
         yield Problem(file, place, what, message("Leave the group or the student out."))
-    elif group and group not in groups.values():
+    elif group and not student and _one_group(group) not in map(_one_group, groups.values()):
         what = message("Nobody is in group '{group}'.", group=group)
         place = cell_place(row.number, called["group"])
         yield Problem(file, place, what, did_you_mean(group, {*groups.values()} - {""}))
+
+
+def _whom(deadline: Deadline) -> tuple[str, str]:
+    """Return whom a row is for, as it is looked up."""
+    return _one_group(deadline.group), deadline.student
+
+
+def _one_group(written: str) -> str:
+    """Return by what a group is the same however it is written; what has no letter is itself."""
+    return letters_of(written) or written
 
 
 def _row(

@@ -205,23 +205,38 @@ def share_given(entry: GradebookEntry) -> str:
     return f"{entry.mark.kept_under} {share:.4g}\N{NO-BREAK SPACE}%"
 
 
-def is_outdated(entry: GradebookEntry, digest: str, results: Collection[Result]) -> bool:
+def is_outdated(
+    entry: GradebookEntry,
+    digest: str,
+    results: Collection[Result],
+    since: tuple[str, int] | None = None,
+) -> bool:
     """Tell whether what a mark rests on is another than when it was entered.
 
-    A mark rests on the file and on what the program found about its own item. What other items
-    came to, or how many points the item is worth, is no reason to look again: a mark is a share.
-    Another mark that was given to the same person under another id is one.
+    A mark rests on the files that were there and on what the program found about its own item. What
+    other items came to, or how many points the item is worth, is no reason to look again: a mark is
+    a share. Another mark that was given to the same person under another id is one.
+
+    A mark is entered against the student's last work, and counts for an earlier one too, where the
+    policy lets that count: whoever marked could see both, and would have nothing new to see.
 
     Args:
         entry: the mark.
         digest: of the file that is graded now.
         results: automatic results of that file.
+        since: key of the attempt by which that file was judged first; None where it comes new.
     """
-    if entry.attempt.digest != digest or entry.rivals:
+    if entry.rivals or (entry.attempt.digest != digest and not _was_there(entry, since)):
         return True
     name = entry.mark.quantity
     now = next((one for one in results if one.quantity == name), None)
     return now is not None and _finding_of(entry.attempt.by_quantity.get(name)) != _finding_of(now)
+
+
+def _was_there(entry: GradebookEntry, since: tuple[str, int] | None) -> bool:
+    """Tell whether a file was judged before a mark was entered; numbers are those of one id."""
+    kept_as, number = entry.attempt.key
+    return since is not None and since[0] == kept_as and since[1] < number
 
 
 def _finding_of(result: Result | None) -> tuple[Outcome, float] | None:

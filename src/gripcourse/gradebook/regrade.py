@@ -66,10 +66,7 @@ class WorkChange:
     @property
     def direction(self) -> Shift:
         """Whether the share of all points grows or falls."""
-        difference = _share(self.after) - _share(self.before)
-        if abs(difference) < _SAME:
-            return Shift.UNCHANGED
-        return Shift.RAISED if difference > 0 else Shift.LOWERED
+        return direction_of(self.before, self.after)
 
     @property
     def is_lost(self) -> bool:
@@ -82,6 +79,14 @@ class WorkChange:
         return not self.is_lost and (
             self.new.judged != self.work.attempt.judged or bool(self.items)
         )
+
+
+def direction_of(before: PointSums, after: PointSums) -> Shift:
+    """Tell whether the share of all points grows or falls."""
+    difference = _share(after) - _share(before)
+    if abs(difference) < _SAME:
+        return Shift.UNCHANGED
+    return Shift.RAISED if difference > 0 else Shift.LOWERED
 
 
 def change_of(

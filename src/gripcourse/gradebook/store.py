@@ -27,6 +27,7 @@ from gripcourse.gradebook.reading import (
     read_told,
 )
 from gripcourse.gradebook.results import Result, ResultsToRead
+from gripcourse.gradebook.works import standing_of
 from gripcourse.issuing.withdrawal import Join
 from gripcourse.machine.database.adding import add_many
 from gripcourse.machine.database.opening import (
@@ -240,9 +241,8 @@ class Gradebook:
             return frozenset(connection.execute(question).scalars())
 
     def standing(self, students: Collection[str] | None = None) -> tuple[Attempt, ...]:
-        """Return the attempts of these students but those of regrades that were taken back."""
-        undone = self.undone()
-        return tuple(one for one in self.attempts(students) if one.regrade not in undone)
+        """Return the attempts of these students that stand; see `standing_of`."""
+        return standing_of(self.attempts(students), self.undone())
 
     def add(
         self,

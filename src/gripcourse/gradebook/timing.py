@@ -1,7 +1,7 @@
 """Attempts and time: what lateness costs, and which work of a student counts. Pure."""
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 from datetime import UTC, datetime, timedelta
 from zoneinfo import ZoneInfo
@@ -90,7 +90,7 @@ def timings_of(
     most = rules.attempts.most if rules.attempts else 0
     may = [one for one in (ordered[:most] if most else ordered) if one.attempt.judged]
     counting = _counting(may, marked, {name: cost for name, (_, cost) in costs.items()}, rules)
-    waived = waiver.why if waiver is not None and not waiver.withdrawn else ""
+    counted = waiver if waiver is not None and not waiver.withdrawn else None
     return {
         one.digest: Timing(
             number=number,
@@ -100,10 +100,32 @@ def timings_of(
             deadline=deadline,
             days_late=costs[one.digest][0],
             deduction=costs[one.digest][1],
-            waived=waived,
+            waived=counted.why if counted else "",
+            waived_until=counted.until if counted else None,
         )
         for number, one in enumerate(ordered, start=1)
     }
+
+
+def is_settled(
+    rule: AttemptRule | None, timings: Collection[Timing], works: Sequence[StudentWork]
+) -> bool:
+    """Tell whether the rule for attempts says which work of a student counts.
+
+    Args:
+        rule: None for none.
+        timings: of the works.
+        works: of the student.
+    """
+    if rule is None:
+        return False
+    if rule.counts is Counts.BEST and (not rule.most or len(works) <= rule.most):
+        # All of them may count: points and lateness decide, whichever came first.
+        return not any(one.is_unknown for one in timings)
+    if all(one.taken is not None for one in works):
+        return True
+    times = [one.handed_in for one in timings]
+    return None not in times and len(set(times)) == len(times)
 
 
 def lateness(

@@ -1,7 +1,7 @@
 """Works: the files that a student handed in, each with the attempt that stands for it now."""
 
-from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Container, Iterable, Mapping, Sequence
+from dataclasses import dataclass, replace
 from datetime import datetime
 from itertools import accumulate
 from types import MappingProxyType
@@ -41,6 +41,28 @@ class StudentWork:
     def digest(self) -> str:
         """SHA-256 of the file's bytes, hexadecimal."""
         return self.attempt.digest
+
+
+def standing_of(attempts: Iterable[Attempt], undone: Container[int | None]) -> tuple[Attempt, ...]:
+    """Return attempts but those of regrades that were taken back.
+
+    When a work was handed in is no result: what a person said of it meanwhile stays said.
+
+    Args:
+        attempts: of any students, oldest first for each.
+        undone: numbers of the regrades that were taken back.
+    """
+    found: list[Attempt] = []
+    place_of: dict[tuple[str, str], int] = {}
+    for one in attempts:
+        key = one.student, one.digest
+        if one.regrade not in undone:
+            place_of[key] = len(found)
+            found.append(one)
+        elif one.handed_in_said and key in place_of:
+            before = found[place_of[key]]
+            found[place_of[key]] = replace(before, handed_in=one.handed_in, handed_in_said=True)
+    return tuple(found)
 
 
 def works_of(

@@ -179,6 +179,7 @@ class Timing:
         days_late: days begun after the deadline; 0 within it or its grace.
         deduction: share of the points that is taken off.
         waived: why lateness is not counted, in the words of a person; empty where it is.
+        waived_until: until when it is not; None for good, or where it is not waived.
     """
 
     number: int
@@ -189,6 +190,7 @@ class Timing:
     days_late: int
     deduction: float
     waived: str
+    waived_until: datetime | None = None
 
     @property
     def is_unknown(self) -> bool:

@@ -9,6 +9,7 @@ import io
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import islice
+from pathlib import Path
 from typing import TypeAlias
 
 from gripcourse.errors import Problem, TableError
@@ -115,6 +116,9 @@ def read_sheet(source: Readable, is_heading: IsHeading = lambda _: False) -> She
         TableError: the file is missing, not a table, empty, or in no known encoding.
     """
     if not is_there(source):
+        if isinstance(source, Path) and source.is_dir():
+            what = message("This is a folder, not a file.")
+            raise _failure(source, what, message("Name a file."))
         raise _failure(source, message("There is no such file."), message("Check the path."))
     if _is_spreadsheet(source):
         return _spreadsheet(source, is_heading)

@@ -10,7 +10,7 @@ from gripcourse.course.model import Course
 from gripcourse.course.option_sets import pair_option_sets
 from gripcourse.course.quantity import Kind, Quantity
 from gripcourse.machine.files import replacing
-from gripcourse.machine.spreadsheet.table_page import set_table_page
+from gripcourse.machine.spreadsheet.table_page import set_no_moment, set_table_page
 from gripcourse.machine.table_bounds import MOST_OF_WORKBOOK
 from gripcourse.text.units import unit_text
 from gripcourse.text.words import Words, message
@@ -59,6 +59,7 @@ def write_table_workbook(path: Path, variants: Sequence[Variant], course: Course
         sheet = book.add_worksheet(Words(course.language).say(message("Variants"))[:31])
         lists = book.add_worksheet(_LISTS)
         lists.hide()
+        set_no_moment(book)
         bold = book.add_format({"bold": True, "text_wrap": True, "valign": "top", "border": 1})
         for place, column in enumerate(columns):
             sheet.write_string(0, place, column.heading, bold)

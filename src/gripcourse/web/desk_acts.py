@@ -151,10 +151,10 @@ def apply_shown(
     return unless_in_conflict(lambda: apply_regrade(found, place, signed, allow_lower=allow_lower))
 
 
-def take_last_back(site: Site, signed: Signed) -> Regrade | WebRefusal:
+def take_last_back(site: Site, signed: Signed, *, allow_lower: bool) -> Regrade | WebRefusal:
     """Take the last regrade that stands back."""
     place = home_of(site.context.course.root)
-    return unless_in_conflict(lambda: undo_regrade(place, signed))
+    return unless_in_conflict(lambda: undo_regrade(place, signed, allow_lower=allow_lower))
 
 
 def signed_by(site: Site, by: str, why: str) -> Signed:

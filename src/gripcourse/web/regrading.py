@@ -44,15 +44,20 @@ def regrading_preview(seat: Seat) -> Response:
 
 def regrading_applied(seat: Seat) -> Response:
     """Let it count, if it still comes to what was shown."""
-    texts = seat.sent.texts
-    lower = texts.get("allow_lower") == "yes"
-    made = apply_shown(seat.site, _signed(seat), texts.get("seen"), allow_lower=lower)
+    seen = seat.sent.texts.get("seen")
+    made = apply_shown(seat.site, _signed(seat), seen, allow_lower=_may_lower(seat))
     return _done(seat, made)
 
 
 def regrading_undone(seat: Seat) -> Response:
     """Take the last regrade that stands back."""
-    return _done(seat, take_last_back(seat.site, _signed(seat)))
+    made = take_last_back(seat.site, _signed(seat), allow_lower=_may_lower(seat))
+    return _done(seat, made)
+
+
+def _may_lower(seat: Seat) -> bool:
+    """Tell whether somebody said that published results may get worse."""
+    return seat.sent.texts.get("allow_lower") == "yes"
 
 
 def _page(seat: Seat, found: Regrading | None) -> Response:

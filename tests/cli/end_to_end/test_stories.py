@@ -62,6 +62,9 @@ def test_a_drawing_from_waiting_to_marked(gripcourse: Command, term: Term, tmp_p
     assert report["score"] == pytest.approx(0.85 * drawing["max_points"])
 
     table = tmp_path / "marks.csv"
+    table.write_text("filled in", encoding="utf-8")
+    assert gripcourse("mark", "--list", "--course", course, "--out", table).code == NEEDS_PERSON
+    assert (tmp_path / "marks.before-1.csv").read_text(encoding="utf-8") == "filled in"
     other = next(o["quantity"] for o in report["findings"] if o["outcome"] == "manual")
     table.write_text(f"student,quantity,credit\ns01,{other},1.5\n", encoding="utf-8")
     refused(gripcourse("mark", "--table", table, "--course", course), "row 2, column credit", "1.5")

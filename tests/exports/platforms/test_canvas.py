@@ -79,6 +79,10 @@ def test_the_assignment_must_be_clear() -> None:
 def test_another_table_is_refused_by_its_headings() -> None:
     with pytest.raises(UsageError, match="No heading is ID, Section"):
         table("Student,Points\nA,1\n")
+    with pytest.raises(UsageError, match="No heading is Student, ID, Section"):
+        table("Идентификатор,Оценка\nУчастник12,1\n")
+    with pytest.raises(UsageError, match="No heading is LastName, Section"):
+        table("FirstName,ID\nA,1\n")
 
 
 def test_a_blank_line_is_nobodys(works: Works) -> None:

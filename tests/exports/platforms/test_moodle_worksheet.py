@@ -112,6 +112,18 @@ def test_the_code_page_of_the_shortest_worksheet_is_told_by_its_headings(encodin
     assert (worksheet.language, worksheet.table.separator) == ("ru", ";")
 
 
+@pytest.mark.parametrize("separator", [",", ";", "\t"])
+def test_of_another_language_the_headings_are_told_and_not_the_separator(separator: str) -> None:
+    """Else a name or a number with a comma in it makes rows of other cells than the headings."""
+    german = separator.join(["ID", "Vollständiger Name", "Bewertung", "Bestwertung"])
+    row = separator.join(["Teilnehmer/in12", '"Müller, Anna"', '"60,25"', '"100,00"'])
+    with pytest.raises(UsageError) as refused:
+        read_worksheet(sheet(f"{german}\n{row}\n"))
+    first = str(refused.value.problems[0].what)
+    assert "'Identifier' / 'Идентификатор' / 'Ідентифікатор'" in first
+    assert first.endswith("ID, Vollständiger Name, Bewertung, Bestwertung.")
+
+
 def test_an_unknown_heading_is_named(works: Works) -> None:
     with pytest.raises(UsageError) as refused:
         filled(sheet(EN.replace("Identifier", "Kennung")), works({}))

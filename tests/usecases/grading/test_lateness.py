@@ -22,6 +22,7 @@ from gripcourse.exports.grades import grades_text
 from gripcourse.exports.make_report_result import report_result
 from gripcourse.exports.platforms.moodle_words import HEADINGS, MoodleColumn
 from gripcourse.gradebook.deadlines import Deadline
+from gripcourse.gradebook.enter import Draft
 from gripcourse.gradebook.timing import Waiver
 from gripcourse.grading.model import Flag, FlagCode, Report, Timing
 from gripcourse.policy.time_rules import AttemptRule, Counts, LateRule
@@ -31,6 +32,7 @@ from gripcourse.usecases.grading.grade import write_results
 from gripcourse.usecases.marks.gradebook import keep
 from gripcourse.usecases.marks.handed_in import HandingTime, handed_in_times
 from gripcourse.usecases.marks.history import history, what_counts
+from gripcourse.usecases.marks.mark import enter_mark
 from gripcourse.usecases.marks.waive import waive
 from support.classroom import forget_one_jaw
 
@@ -99,6 +101,32 @@ def test_what_a_person_says_goes_before_it_and_stays_said(office: Office) -> Non
     assert [one.counts for one in told if one] == [True, False]
 
 
+def test_a_drawing_is_marked_once_whichever_work_counts(office: Office) -> None:
+    """Marking again settles what is to be looked at, also where an earlier work counts."""
+    office.context = replace(
+        office.context, policy=replace(office.context.policy, attempts=AttemptRule(Counts.FIRST, 0))
+    )
+    first, last = office.grade()
+    lines = {"sizes": 1.0, "assembly": 0.5, "standards": 0.0}
+    draft = Draft("s01", "general_view_drawing", lines)
+    enter_mark(draft, office.context, office.place, "Петров", NOW)
+    marked = office.grade()
+    assert [one.flags for one in marked] == [first.flags, last.flags]
+    assert marked[0].open_points < first.open_points
+    assert [one.timing.counts for one in marked if one.timing] == [True, False]
+
+
+def test_of_a_waiver_the_report_says_until_when_it_holds(office: Office) -> None:
+    """Else a student reads that lateness was waived, beside what it costs."""
+    until = datetime(2026, 12, 2, 10, tzinfo=UTC)
+    one = Waiver("s01", 0, until, False, "Петров", NOW, "Hospital.")
+    office.grade()
+    waive(one, office.place, office.context.register)
+    told = " ".join(timing_texts(office.grade()[1], Words("en"))).replace(NO_BREAK_SPACE, " ")
+    assert "days late: 2" in told
+    assert "Lateness was waived until 2 Dec 2026, 12:00 UTC+2: Hospital." in told
+
+
 def test_a_waiver_counts_from_the_next_grading_and_can_be_withdrawn(office: Office) -> None:
     assert office.timings()[1].deduction > 0
     office.waive()
@@ -151,6 +179,38 @@ def test_where_the_rule_says_which_work_counts_nobody_is_asked(office: Office) -
     known = handed_in_times((), office.files, KYIV)
     kept = keep(graded, office.context, office.place, NOW, known)
     assert [one.report.flags for one in kept] == [(), ()]
+
+
+@pytest.mark.parametrize(
+    ("counts", "most", "is_asked"),
+    [
+        (Counts.BEST, 0, False),
+        (Counts.BEST, 2, False),
+        (Counts.BEST, 1, True),
+        (Counts.LAST, 0, True),
+        (Counts.FIRST, 0, True),
+    ],
+)
+def test_of_works_of_one_moment_the_best_counts_and_nobody_is_asked(
+    office: Office, counts: Counts, most: int, *, is_asked: bool
+) -> None:
+    rules = replace(office.context.policy, attempts=AttemptRule(counts, most))
+    office.context = replace(office.context, policy=rules)
+    asked = [FlagCode.SEVERAL_FILES] * 2
+    flags = [flag.code for one in office.grade("2026-12-01 10:00") for flag in one.flags]
+    assert flags == (asked if is_asked else [])
+
+
+def test_where_nobody_knows_when_works_came_lateness_may_decide_which_is_best(
+    office: Office,
+) -> None:
+    rules = replace(office.context.policy, attempts=AttemptRule(Counts.BEST, 0))
+    alone = [grade_file(one, office.context) for one in office.files]
+    graded = with_reports([Graded(one, "") for one in alone], doubles(alone))
+    for late, is_asked in ((rules.late, True), (None, False)):
+        context = replace(office.context, policy=replace(rules, late=late))
+        kept = keep(graded, context, office.place, NOW)
+        assert [bool(one.report.flags) for one in kept] == [is_asked] * 2
 
 
 def test_works_without_a_time_are_named_and_have_no_days_late(office: Office) -> None:

@@ -131,6 +131,11 @@ def test_the_incident_is_named_wherever_somebody_may_look(
     summary = grading_text(replace(outcome, missing=absent), out, Words("en"))
     assert "Nothing handed in (12): Name 0, Name 1," in summary
     assert "Name 9, …" in summary
+    namesakes = [replace(one, name="Ivan Ivanov") for one in absent[:2]]
+    alone = replace(absent[2], name=outcome.reports[0].name)
+    summary = grading_text(replace(outcome, missing=(*namesakes, alone)), out, Words("en"))
+    who = f"Ivan Ivanov (s0), Ivan Ivanov (s1), {outcome.reports[0].name} (s2)."
+    assert f"Nothing handed in (3): {who}" in summary
     places = [f"{name}/РГР 1/Version 1/a.xlsx" for name in ("Anna", "Boris")]
     alike = [replace(outcome.reports[0], file=place, flags=()) for place in places]
     summary = grading_text(replace(outcome, reports=alike), out, Words("en"))

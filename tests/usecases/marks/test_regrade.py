@@ -17,8 +17,11 @@ from gripcourse.errors import GradebookError, NextStep, UsageError
 from gripcourse.gradebook.enter import Draft
 from gripcourse.gradebook.journal import Signed
 from gripcourse.gradebook.regrade import Shift
+from gripcourse.gradebook.store import open_gradebook
+from gripcourse.gradebook.works import works_of
 from gripcourse.grading.model import Report
 from gripcourse.usecases.marks.gradebook import keep
+from gripcourse.usecases.marks.handed_in import HandingTime
 from gripcourse.usecases.marks.history import history
 from gripcourse.usecases.marks.mark import enter_mark
 from gripcourse.usecases.marks.regrade import (
@@ -50,9 +53,15 @@ class Faculty:
         self.hours += 1
         return Signed("Петров", NOW + timedelta(hours=self.hours), why)
 
-    def grade(self, context: GradingContext) -> dict[str, Report]:
+    def grade(
+        self, context: GradingContext, handed_in: datetime | None = None
+    ) -> dict[str, Report]:
+        """Grade, and say of all files when they were handed in where somebody knows it."""
         graded = [Graded(grade_file(one, context), "") for one in self.files]
-        return {one.report.student: one.report for one in keep(graded, context, self.place, NOW)}
+        said = [] if handed_in is None else [HandingTime(handed_in, said=True)]
+        times = {one.report.file: time for one in graded for time in said}
+        kept = keep(graded, context, self.place, NOW, times)
+        return {one.report.student: one.report for one in kept}
 
     def regrade(self, context: GradingContext | None = None) -> Regrading:
         return regrade(self.files, context or self.stricter, self.place, 0, NOW)
@@ -162,6 +171,55 @@ class TestPublished:
         assert (
             len(apply_regrade(faculty.regrade(faculty.today), faculty.place, faculty.signed())) == 1
         )
+
+
+class TestTakingBackWhatWasTold:
+    """Students were told the raised results: taking them back needs a word, as lowering does."""
+
+    @pytest.fixture
+    def told(self, faculty: Faculty) -> Faculty:
+        apply_regrade(faculty.regrade(), faculty.place, faculty.signed())
+        publish(faculty.place, (), faculty.signed())
+        apply_regrade(faculty.regrade(faculty.today), faculty.place, faculty.signed())
+        return faculty
+
+    def test_a_result_that_was_told_gets_worse_only_where_somebody_says_so(
+        self, told: Faculty
+    ) -> None:
+        publish(told.place, (), told.signed())
+        before = told.grade(told.today)["s02"].score
+        with pytest.raises(
+            UsageError, match=r"published to s02, who would get .*regrade stand"
+        ) as no:
+            undo_regrade(told.place, told.signed())
+        assert [one.step for one in no.value.problems] == [NextStep.ALLOW_LOWER]
+        assert told.grade(told.today)["s02"].score == before
+        undo_regrade(told.place, told.signed(), allow_lower=True)
+        assert told.grade(told.today)["s02"].score < before
+
+    def test_whom_nobody_told_the_raised_result_loses_nothing(self, told: Faculty) -> None:
+        assert undo_regrade(told.place, told.signed()).undoes == 2
+
+    def test_what_gets_better_is_taken_back_without_more_ado(self, faculty: Faculty) -> None:
+        apply_regrade(faculty.regrade(), faculty.place, faculty.signed())
+        publish(faculty.place, (), faculty.signed())
+        assert undo_regrade(faculty.place, faculty.signed()).undoes == 1
+
+
+def test_what_was_said_of_the_time_stays_said_when_a_regrade_is_taken_back(
+    faculty: Faculty,
+) -> None:
+    publish(faculty.place, (), faculty.signed())
+    apply_regrade(faculty.regrade(), faculty.place, faculty.signed(), allow_lower=True)
+    for _ in range(2):
+        faculty.grade(faculty.stricter, NOW - timedelta(days=5))
+    undo_regrade(faculty.place, faculty.signed())
+    faculty.grade(faculty.stricter, NOW - timedelta(days=5))
+    book = open_gradebook(faculty.place)
+    (work,) = works_of(book.standing())["s02"]
+    assert (work.attempt.regrade, work.handed_in) == (None, NOW - timedelta(days=5))
+    # Kept once: the first grading, the regrade, and the time that was said.
+    assert len(book.attempts({"s02"})) == 3
 
 
 def test_files_that_were_not_graded_and_works_whose_file_is_missing_are_named(

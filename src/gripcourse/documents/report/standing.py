@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from datetime import tzinfo
 
 from gripcourse.course.quantity import Quantity
-from gripcourse.grading.model import Report, after_lateness
+from gripcourse.grading.model import Report, Timing, after_lateness
 from gripcourse.policy.scales import CountedPoints, Scale, grade_text
 from gripcourse.text.amounts import percent_text, points_text
 from gripcourse.text.moments import moment_text, zone_name
@@ -95,7 +95,7 @@ def timing_texts(report: Report, words: Words) -> list[str]:
             message("Nobody knows when this was handed in: nothing is taken off for lateness.")
         )
     if timing.waived:
-        said.append(message("Lateness was waived: {why}", why=timing.waived))
+        said.append(_waived(timing, words))
     attempt = attempt_text(report, words)
     return [*([attempt] if attempt else []), *(words.say(one) for one in said)]
 
@@ -111,6 +111,15 @@ def attempt_text(report: Report, words: Words) -> str:
             message("Attempt {number} of {of}: this one counts.", number=number, of=of)
         )
     return words.say(message("Attempt {number} of {of}: another one counts.", number=number, of=of))
+
+
+def _waived(timing: Timing, words: Words) -> Message:
+    """Say why lateness is not counted, and until when: from then on days count, and cost."""
+    if timing.waived_until is None:
+        return message("Lateness was waived: {why}", why=timing.waived)
+    zone = timing.deadline.tzinfo if timing.deadline else None
+    until = moment_text(timing.waived_until, words, zone)
+    return message("Lateness was waived until {until}: {why}", until=until, why=timing.waived)
 
 
 def _with_place(moment: str, zone: tzinfo | None) -> str:

@@ -86,7 +86,9 @@ def fill_gradebook(
 
 def _kept_columns(table: RawTable) -> list[int]:
     places = {cell.strip(): place for place, cell in enumerate(table.header)}
-    first = ["Student"] if "Student" in places else ["LastName", "FirstName"]
+    halves = ["LastName", "FirstName"]
+    is_split = "Student" not in places and any(one in places for one in halves)
+    first = halves if is_split else ["Student"]
     missing = [one for one in (*first, "ID", _LAST) if one not in places]
     if missing:
         what = message(

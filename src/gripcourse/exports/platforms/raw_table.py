@@ -92,7 +92,8 @@ def read_raw_table(source: Readable, known: RateHeader) -> RawTable:
 
     Args:
         source: the file, or its bytes.
-        known: tells how many headings of a row are known: the separator with the most is right.
+        known: tells how many headings of a row are known: the separator with the most is right,
+            of those with as many the one with the most headings.
 
     Raises:
         UsageError: it is no table of text, or a row has other cells than the headings.
@@ -124,7 +125,7 @@ def _table(file: str, encoding: str, records: tuple[str, ...], known: RateHeader
         what, remedy = message("The table is empty."), message("Export it again.")
         raise UsageError([Problem(file, "", what, remedy)])
     try:
-        separator = max(_SEPARATORS, key=lambda one: known(_cells(records[0], one)))
+        separator = max(_SEPARATORS, key=lambda one: _rated(_cells(records[0], one), known))
         rows = tuple(within_bounds(_cells(record, separator) for record in records))
     except csv.Error as fault:
         what = message("The rows cannot be told apart: {fault}.", fault=fault)
@@ -147,6 +148,11 @@ def _table(file: str, encoding: str, records: tuple[str, ...], known: RateHeader
     if problems:
         raise UsageError(problems)
     return RawTable(file, encoding, separator, records, rows)
+
+
+def _rated(header: Sequence[str], known: RateHeader) -> tuple[int, int]:
+    """Rate headings: where none is known, as of another table, the most are the likeliest."""
+    return known(header), len(header)
 
 
 def _as_they_stand(line: str, separator: str) -> list[str]:

@@ -1,11 +1,14 @@
-"""How a table is printed that has one row of headings and more columns than a page is wide."""
+"""How a table is kept and printed that has one row of headings, and more columns than a page."""
 
+from datetime import datetime
 from typing import TYPE_CHECKING, Final
 
 if TYPE_CHECKING:
+    from xlsxwriter import Workbook
     from xlsxwriter.worksheet import Worksheet
 
 _PAPER_A4: Final = 9
+_NO_DAY: Final = datetime(2000, 1, 1)  # noqa: DTZ001 (the same every day, wherever)
 
 
 def set_table_page(sheet: "Worksheet", *, in_front: int = 0) -> None:
@@ -25,3 +28,8 @@ def set_table_page(sheet: "Worksheet", *, in_front: int = 0) -> None:
         sheet.repeat_columns(0, in_front - 1)
     else:
         sheet.fit_to_pages(1, 0)
+
+
+def set_no_moment(book: "Workbook") -> None:
+    """Let a workbook not say when it was written: the same table is the same file."""
+    book.set_properties({"created": _NO_DAY})

@@ -1,7 +1,7 @@
 """Keeping what was graded, and letting the marks of persons enter the reports."""
 
 from collections import defaultdict
-from collections.abc import Container, Iterable, Mapping, Sequence
+from collections.abc import Container, Mapping, Sequence
 from dataclasses import dataclass, replace
 from datetime import datetime
 from itertools import chain, islice
@@ -24,9 +24,9 @@ from gripcourse.gradebook.model import (
 )
 from gripcourse.gradebook.results import digest_is_known
 from gripcourse.gradebook.store import Gradebook, open_gradebook
-from gripcourse.gradebook.timing import Waiver, timings_by_policy
-from gripcourse.gradebook.works import StudentWork, works_of
-from gripcourse.grading.model import FlagCode, Report, Timing
+from gripcourse.gradebook.timing import Waiver, is_settled, timings_by_policy
+from gripcourse.gradebook.works import StudentWork, standing_of, works_of
+from gripcourse.grading.model import FlagCode, Report
 from gripcourse.machine.database.home import exists
 from gripcourse.machine.database.opening import demand_writing
 from gripcourse.policy.time_rules import Counts
@@ -163,7 +163,7 @@ def _kept(
     ]
     known, undone = _known(keeping, students), book.undone()
     told = told_works(keeping.told, known)
-    before = works_of(one for one in known if one.regrade not in undone)
+    before = works_of(standing_of(known, undone))
     to_add = _to_add(attempts, told, before)
     known = (*known, *book.add_attempts(to_add, known))
     if not {(one.student, one.digest) for one in to_add} <= {(a.student, a.digest) for a in known}:
@@ -172,10 +172,18 @@ def _kept(
     entries: dict[str, list[GradebookEntry]] = defaultdict(list)
     for entry in book.entries(students, known):
         entries[entry.mark.student].append(entry)
-    works = works_of((one for one in known if one.regrade not in undone), keeping.taken)
+    works = works_of(standing_of(known, undone), keeping.taken)
     for name in students:
-        stands = {one.digest: one.attempt for one in works[name] if (name, one.digest) in told}
-        entered = [_entered(one, stands.get(one.digest), entries[name]) for one in reports[name]]
+        of_file = {one.digest: one for one in works[name]}
+        entered = [
+            _entered(
+                one,
+                of_file.get(one.digest),
+                entries[name],
+                is_told=(name, one.digest) in told,
+            )
+            for one in reports[name]
+        ]
         issued, waived = keeping.context.register.get(name), keeping.waived.get(name, ())
         deadline = deadline_by_rule(issued, keeping.deadlines, policy.late)
         marks = latest_marks(entries[name])
@@ -197,7 +205,7 @@ def _kept(
                 replace(one, flags=(*one.flags, *doubt))
                 for one, doubt in zip(entered, doubts, strict=True)
             ]
-        if policy.attempts is not None and _is_ordered(timings.values(), works[name]):
+        if is_settled(policy.attempts, timings.values(), works[name]):
             entered = [_undisputed(one) for one in entered]
         for number, found_out, stands_now in zip(places[name], reports[name], entered, strict=True):
             if stands_now is not found_out:
@@ -219,14 +227,6 @@ def _known(keeping: _Keeping, students: Sequence[str]) -> tuple[Attempt, ...]:
     return (*unread, *(keeping.book.attempts(to_read) if to_read else ()))
 
 
-def _is_ordered(timings: Iterable[Timing], works: Sequence[StudentWork]) -> bool:
-    """Tell whether it is known which work of a student was handed in before which."""
-    if all(one.taken is not None for one in works):
-        return True
-    times = [one.handed_in for one in timings]
-    return None not in times and len(set(times)) == len(times)
-
-
 def _undisputed(report: Report) -> Report:
     """Return a report that asks nobody which of a student's works counts: the policy says it."""
     kept = tuple(flag for flag in report.flags if flag.code is not FlagCode.SEVERAL_FILES)
@@ -239,16 +239,16 @@ def _to_add(
     works: Mapping[str, Sequence[StudentWork]],
 ) -> list[Attempt]:
     """Return what is to be kept: of published works nothing but the time that a person says."""
-    stands = {(one.student, one.digest): one.attempt for all_ in works.values() for one in all_}
+    stands = {(one.student, one.digest): one for all_ in works.values() for one in all_}
     kept: list[Attempt] = []
     for one in attempts:
         key = one.student, one.digest
         if key not in told:
             kept.append(one)
-        elif one.handed_in_said:
+        elif one.handed_in_said and one.handed_in != stands[key].handed_in:
             kept.append(
                 replace(
-                    stands[key],
+                    stands[key].attempt,
                     graded_at=one.graded_at,
                     handed_in=one.handed_in,
                     handed_in_said=True,
@@ -258,8 +258,12 @@ def _to_add(
     return kept
 
 
-def _entered(report: Report, stands: Attempt | None, entries: Sequence[GradebookEntry]) -> Report:
+def _entered(
+    report: Report, work: StudentWork | None, entries: Sequence[GradebookEntry], *, is_told: bool
+) -> Report:
     """Return a report as the gradebook says: what was published stands, marks of persons count."""
-    if stands is not None and report.judged:
-        report = as_it_stands(report, stands)
-    return with_marks(report, entries)
+    if work is None:
+        return with_marks(report, entries)
+    if is_told and report.judged:
+        report = as_it_stands(report, work.attempt)
+    return with_marks(report, entries, work.first.key if work.first.judged else None)

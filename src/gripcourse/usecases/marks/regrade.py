@@ -14,19 +14,24 @@ from gripcourse.gradebook.journal import (
     Published,
     Regrade,
     Signed,
+    applied,
     keep_publication,
     keep_regrade,
     keep_undoing,
+    publications,
     published_works,
+    regrades,
+    told_works,
 )
 from gripcourse.gradebook.model import Attempt, GradebookEntry, attempt_of, latest_marks_of_all
-from gripcourse.gradebook.regrade import Shift, WorkChange, change_of
+from gripcourse.gradebook.regrade import Shift, WorkChange, change_of, direction_of
 from gripcourse.gradebook.store import Gradebook
-from gripcourse.gradebook.works import StudentWork, points_of, works_of
+from gripcourse.gradebook.works import StudentWork, points_of, standing_of, works_of
+from gripcourse.grading.model import PointSums
 from gripcourse.issuing.withdrawal import Join, persons_of
 from gripcourse.machine.content import Readable
 from gripcourse.text.suggestion import did_you_mean
-from gripcourse.text.words import message
+from gripcourse.text.words import Message, message
 from gripcourse.usecases.marks.gradebook import with_kept_versions
 from gripcourse.usecases.marks.mark import existing_gradebook
 from gripcourse.usecases.marks.whose import read_whose
@@ -174,40 +179,79 @@ def apply_regrade(
         one for one in regrading.to_apply if one.published and one.direction is Shift.LOWERED
     ]
     if lowered and not allow_lower:
-        raise UsageError(
-            Problem(
-                "",
-                "",
-                message(
-                    "{before} points were published to {student}, who would get {after}.",
-                    student=one.work.student,
-                    before=round(one.before.score, 2),
-                    after=round(one.after.score, 2),
-                ),
-                message("Nothing was changed. Leave this work out, or say that it may get worse."),
-                parameter="allow_lower",
-                step=NextStep.ALLOW_LOWER,
-            )
-            for one in lowered
-        )
+        remedy = message("Nothing was changed. Leave this work out, or say that it may get worse.")
+        raise UsageError(_worse(one.work.student, one.before, one.after, remedy) for one in lowered)
     book = existing_gradebook(place, regrading.joins)
     return keep_regrade(book, [one.new for one in regrading.to_apply], signed)
 
 
-def undo_regrade(place: str, signed: Signed) -> Regrade:
+def undo_regrade(place: str, signed: Signed, *, allow_lower: bool = False) -> Regrade:
     """Take the last regrade that stands back, by a new entry.
+
+    Args:
+        place: of the gradebook.
+        signed: who takes it back, when and why.
+        allow_lower: whether results that students were told since it was applied may get worse.
 
     Raises:
         GradebookError: the gradebook cannot be used.
-        UsageError: no reason is given, or there is nothing to take back.
+        UsageError: no reason is given, there is nothing to take back, or a published result would
+            get worse.
     """
     _demand_reason(signed)
+    lowered = [] if allow_lower else _lowered_without_the_last(existing_gradebook(place))
+    if lowered:
+        remedy = message(
+            "Nothing was changed. Let the regrade stand, or say that it may get worse."
+        )
+        raise UsageError(_worse(*one, remedy) for one in lowered)
     done = keep_undoing(existing_gradebook(place), signed)
     if not done:
         what = message("No regrade stands that could be taken back.")
         remedy = message("Leave it: what was graded counts already.")
         raise UsageError([Problem("", "", what, remedy)])
     return done[0]
+
+
+def _lowered_without_the_last(book: Gradebook) -> list[tuple[str, PointSums, PointSums]]:
+    """Return what gets worse of what students were told, where the last regrade is taken back.
+
+    Students, with their points as they stand and as they would: of those works alone of which they
+    were told what this regrade had come to.
+    """
+    stands, told = applied(regrades(book)), publications(book)
+    if not stands or not told:
+        return []
+    last, undone = stands[-1].number, book.undone()
+    attempts = book.attempts({one.student for one in told})
+    kept_by_it = {(one.student, one.number) for one in attempts if one.regrade == last}
+    keys = told_works((one for one in told if (one.student, one.attempt) in kept_by_it), attempts)
+    if not keys:
+        return []
+    marked = _marked(book, {student for student, _ in keys})
+    now, then = (
+        {
+            (one.student, one.digest): points_of(one.attempt.results, marked.get(one.student, {}))
+            for works in works_of(standing_of(attempts, numbers)).values()
+            for one in works
+        }
+        for numbers in (undone, undone | {last})
+    )
+    return [
+        (key[0], now[key], then[key])
+        for key in sorted(keys)
+        if key in then and direction_of(now[key], then[key]) is Shift.LOWERED
+    ]
+
+
+def _worse(student: str, before: PointSums, after: PointSums, remedy: Message) -> Problem:
+    what = message(
+        "{before} points were published to {student}, who would get {after}.",
+        student=student,
+        before=round(before.score, 2),
+        after=round(after.score, 2),
+    )
+    return Problem("", "", what, remedy, parameter="allow_lower", step=NextStep.ALLOW_LOWER)
 
 
 def publish(

@@ -44,6 +44,19 @@ class RegradingWish:
 
 
 @dataclass(frozen=True, slots=True)
+class UndoingWish:
+    """The last regrade should be taken back.
+
+    Attributes:
+        why: the reason; it is kept.
+        allow_lower: whether results that students were told since may get worse.
+    """
+
+    why: str = ""
+    allow_lower: bool = False
+
+
+@dataclass(frozen=True, slots=True)
 class MarkWish:
     """What a person decides about an item.
 

@@ -21,7 +21,7 @@ from gripcourse.web.desk_acts import (
 from gripcourse.web.overview import LaidNumber, flags_of, said_of, titles_of
 from gripcourse.web.refusals import NOT_FOUND, Code, WebRefusal
 from gripcourse.web.rest.declare import ApiOperation, DeskCall, TokenRole
-from gripcourse.web.rest.wishes import PublishingReason, RegradingWish
+from gripcourse.web.rest.wishes import PublishingReason, RegradingWish, UndoingWish
 from gripcourse.web.rest.work_results import (
     ChangedItemResult,
     ChangedWorkResult,
@@ -150,8 +150,9 @@ def apply_regrading(call: DeskCall) -> RegradesResult | WebRefusal:
 
 def undo_regrading(call: DeskCall) -> RegradeResult | WebRefusal:
     """Take the last regrade that stands back; both stay on record."""
-    wish: PublishingReason = call.body
-    made = take_last_back(call.site, signed_by(call.site, call.name, wish.why))
+    wish: UndoingWish = call.body
+    signed = signed_by(call.site, call.name, wish.why)
+    made = take_last_back(call.site, signed, allow_lower=wish.allow_lower)
     return made if isinstance(made, WebRefusal) else _regrade(made)
 
 
@@ -218,7 +219,7 @@ WORK_OPERATIONS: Final = (
     ),
     ApiOperation(
         *("POST", f"{_REGRADING}/undo", _DESK, undo_regrading, RegradeResult),
-        takes=PublishingReason,
+        takes=UndoingWish,
         refuses=(Code.CONFLICT,),
         status=HTTPStatus.CREATED,
     ),
