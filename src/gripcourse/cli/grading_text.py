@@ -2,15 +2,16 @@
 
 from array import array
 from collections import Counter
-from collections.abc import Callable, Collection, Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from gripcourse.cli import times_text
+from gripcourse.cli.missing_text import missing_text
 from gripcourse.cli.table_layout import table_text
 from gripcourse.grading.flag_code import FlagCode
 from gripcourse.machine.shelf import Shelved
-from gripcourse.text.shown import first_of, one_line
+from gripcourse.text.shown import one_line
 from gripcourse.text.words import Words, counted, message
 
 # `gripcourse --help` needs nothing of what is graded.
@@ -23,7 +24,6 @@ if TYPE_CHECKING:
     from gripcourse.grading.model import Report
     from gripcourse.usecases.grading.grade import GradingOutcome
     from gripcourse.usecases.marks.mark import Marking
-    from gripcourse.variants.model import Student
 
 FLAGS = {
     FlagCode.ANSWERS_MISSING: message("cells missing"),
@@ -117,7 +117,7 @@ def batch_text(outcome: "GradingOutcome", out: Path, words: Words) -> str:
     lines += _passed_over(outcome, words)
     lines += times_text.without_times(outcome.reports, words)
     lines += times_text.without_deadlines(outcome.undated, words)
-    lines += _missing(outcome.missing, names, words)
+    lines += missing_text(outcome.missing, names, words)
     if outcome.left_over:
         said = message(
             "Reports of an earlier run that this one did not renew: {names}.",
@@ -217,33 +217,6 @@ def _passed_over(outcome: "GradingOutcome", words: Words) -> Iterator[str]:
                 reason=reason,
             )
             yield words.say(said)
-
-
-def _missing(
-    students: Sequence["Student"], handed_in: Collection[str], words: Words
-) -> Iterator[str]:
-    """Say who has handed nothing in; `grades.csv` has a row for each.
-
-    Args:
-        students: who has not.
-        handed_in: the names of those who have: of namesakes the id says who is meant.
-        words: the reader's language.
-    """
-    if students:
-        bearers = Counter(one.name for one in students)
-        shared = {name for name, count in bearers.items() if count > 1 or name in handed_in} - {""}
-        called = [
-            f"{one_line(one.name)} ({one.id})"
-            if one.name in shared
-            else one_line(one.name) or one.id
-            for one in students
-        ]
-        said = message(
-            "Nothing handed in ({count}): {names}.",
-            count=len(students),
-            names=first_of(called, _NAMED),
-        )
-        yield words.say(said)
 
 
 def waiting_text(waits: Sequence["Waiting"], context: "GradingContext", words: Words) -> str:
