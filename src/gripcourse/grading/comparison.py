@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Mapping
+from copy import copy
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -11,6 +12,7 @@ from gripcourse.course.quantity import Kind, Quantity
 from gripcourse.formula.evaluate import evaluate_number, evaluate_sound
 from gripcourse.formula.tree import Formula
 from gripcourse.grading.follow_through import FollowThrough, range_of
+from gripcourse.grading.manner import UNKNOWN, Manner
 from gripcourse.grading.model import Against, Outcome
 from gripcourse.grading.rounding import met_as_typed
 from gripcourse.policy.bands import BandRule, band_rules, within
@@ -88,6 +90,7 @@ class Comparison:
         follow_through: the calculation at the student's own numbers.
         reference: the reference value, in the declared unit; NaN where there is none.
         follows: what follows from the student's own inputs, in the declared unit.
+        manner: how the student writes numbers, as far as that is known.
         bands, widest: how far an answer may be from a value, and how wide a range counts.
     """
 
@@ -98,6 +101,7 @@ class Comparison:
     value: float
     reference_values: Mapping[str, float]
     follow_through: FollowThrough
+    manner: Manner = UNKNOWN
 
     reference: float = field(init=False)
     follows: ExpectedRange = field(init=False)
@@ -157,6 +161,12 @@ class Comparison:
         result = self._number(formula, {**own.numbers.values, name: exact})
         moved = {**own.moved.values, name: np.asarray(exact)}
         return self._range(result, self._ends(formula, moved))
+
+    def in_manner(self, manner: Manner) -> "Comparison":
+        """Return the same for a student of whom it is known how numbers are written."""
+        other = copy(self)  # nothing that is computed at the beginning depends on it
+        object.__setattr__(other, "manner", manner)
+        return other
 
     def fits(self, expected: float) -> bool:
         """Tell whether the answer lies in the band round an expected value."""

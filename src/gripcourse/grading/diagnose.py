@@ -17,7 +17,6 @@ from gripcourse.grading.explain import (
     Explanation,
     Weighed,
     conclude,
-    density,
     density_alone,
     weigh,
     with_later_answers,
@@ -25,6 +24,7 @@ from gripcourse.grading.explain import (
 from gripcourse.grading.mistyped import is_mistyped
 from gripcourse.grading.model import Against, Outcome
 from gripcourse.grading.other_cell import is_number_of, weigh_other_cell
+from gripcourse.grading.typed_density import density
 from gripcourse.grading.unwritten import UNWRITTEN, carried_here, unwritten_before
 from gripcourse.policy.slips import OF_WRITING
 from gripcourse.slips.model import Candidate

@@ -19,6 +19,7 @@ from gripcourse.grading.intended import as_intended
 from gripcourse.grading.model import Cause, Finding, Outcome, Report, sums_of
 from gripcourse.grading.same_number import same_number_once
 from gripcourse.grading.same_slip import same_slip_once
+from gripcourse.grading.shown_manner import in_own_manner
 from gripcourse.grading.significant_digits import figures_remark
 from gripcourse.grading.submission_case import (
     GradingCase,
@@ -52,7 +53,8 @@ def judge(
     Each step looks at all answers and changes the conclusion about some of them:
 
     1. compared: with the reference, and with the formula at the student's own earlier numbers.
-    2. explained: a wrong answer that a known wrong method gives becomes a slip.
+    2. explained: a wrong answer that a known wrong method gives becomes a slip; how the student
+       writes numbers, as the right answers show, tells methods apart.
     3. intended: what follows from a number that was only written down wrongly is no mistake; a
        constant that was shortened too far, or two numbers in each other's cells, cost once.
     4. settled: what one number used wrongly explains costs once, where it is used first; a number
@@ -71,6 +73,7 @@ def judge(
     methods = candidates_of or (lambda name: make_candidates(plan, name, policy.slips))
     case = make_case(submission, issued, plan, policy, methods)
     compared = [judge_answer(case, one, submission.answers.get(one.id)) for one in _in_order(plan)]
+    case, compared = in_own_manner(case, compared)
     explained = explain(case, compared)
     intended = exchanged_once(case, shortened_once(case, as_intended(case, explained)))
     found = substitutions(case, intended)
