@@ -146,9 +146,12 @@ def _is_of_angles(node: Node) -> bool:
 
 def _number_left_out(around: Surroundings) -> Iterator[Rewritten]:
     def literal(node: Node) -> Mapping[str, Place] | None:
-        if isinstance(node, Number):
-            return {"number": node.value}
-        return {"number": "π"} if node == Name("pi") else None
+        match node:
+            case Number(value) | Operation("**", Number(value), Number()):  # 2, and 1.4³
+                return {"number": value}
+            case Name("pi"):
+                return {"number": "π"}
+        return None
 
     yield from _left_out(around, literal, "*/")
 
@@ -196,6 +199,7 @@ def _to_another_power(node: Node) -> Iterator[tuple[Node, str]]:
                 yield Operation("**", base, number(2.0)), ",2"
         case Call("sqrt", (body,)):
             yield body, ""
+            yield Call("cbrt", (body,)), ",cbrt"
         case Call("cbrt", (body,)):
             yield Call("sqrt", (body,)), ""
             yield body, ",body"
