@@ -136,6 +136,12 @@ class Comparison:
         """Evaluate a formula at the reference's inputs, in the declared unit."""
         return self._number(formula, self.reference_values) / factor(self.quantity.unit)
 
+    def number_at_own(self, formula: Formula) -> float:
+        """Evaluate a formula at the student's inputs, in the declared unit, without its range."""
+        return self._number(formula, self.follow_through.numbers.values) / factor(
+            self.quantity.unit
+        )
+
     def at_own(self, formula: Formula) -> ExpectedRange:
         """Evaluate a formula at the student's inputs, in the declared unit."""
         value = self._number(formula, self.follow_through.numbers.values)

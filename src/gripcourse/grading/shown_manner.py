@@ -7,7 +7,7 @@ person's way throughout. It tells wrong methods apart that one number cannot: 17
 
 import math
 from collections import Counter
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import Final
 
@@ -16,7 +16,7 @@ from gripcourse.formula.tree import Formula
 from gripcourse.grading.comparison import Comparison
 from gripcourse.grading.manner import UNKNOWN, Manner
 from gripcourse.grading.rounding import cuts_off, figure_half_unit
-from gripcourse.grading.shortened import with_constants, with_shortened
+from gripcourse.grading.shortened import uses_constant, with_constants
 from gripcourse.grading.submission_case import GradingCase, JudgedAnswer, is_unexplained
 
 # So likely is it that one right answer does not show what its student does elsewhere.
@@ -85,23 +85,26 @@ def _constants(right: Sequence[Comparison], figures: int) -> Mapping[str, float]
     """Return the constants that the answers which use them show to be shortened."""
     odds: dict[str, dict[float, float]] = {}
     for one in right:
-        formula = one.plan.reference_formula(one.quantity.id)
-        if formula is None:
-            continue
-        shortened = list(with_shortened(formula, one.policy.habits))
-        exact = _shows(one, formula, figures) if shortened else False
-        for other in shortened:
-            shows = _shows(one, other.formula, figures)
-            of_constant = odds.setdefault(other.name, {})
-            before = of_constant.get(other.value, math.log(_SHORTENS))
-            of_constant[other.value] = before + _speaks(shows) - _speaks(exact)
+        plan, name = one.plan, one.quantity.id
+        used = [
+            (constant, value)
+            for constant, values in one.policy.habits.items()
+            if uses_constant(plan, name, (constant,))
+            for value in values
+        ]
+        exact = _speaks(_shows(one, None, figures)) if used else 0.0
+        for constant, value in used:
+            formula = with_constants(plan, name, {constant: value})
+            of_constant = odds.setdefault(constant, {})
+            before = of_constant.get(value, math.log(_SHORTENS))
+            of_constant[value] = before + _speaks(_shows(one, formula, figures)) - exact
     likeliest = {name: max(found, key=found.__getitem__) for name, found in odds.items()}
     return {
         name: value for name, value in likeliest.items() if odds[name][value] > math.log(_LIKELIER)
     }
 
 
-def _shows(comparison: Comparison, formula: Formula, figures: int) -> bool:
+def _shows(comparison: Comparison, formula: Formula | None, figures: int) -> bool:
     """Tell whether a number is what a formula comes to, rounded or cut off."""
     half_unit = _half_unit(comparison, figures)
     return any(
@@ -110,10 +113,16 @@ def _shows(comparison: Comparison, formula: Formula, figures: int) -> bool:
     )
 
 
-def _results(comparison: Comparison, formula: Formula) -> Iterator[float]:
-    """Yield what a formula comes to with the numbers in the cells, and with those before them."""
-    yield comparison.near_own(formula, 0.0).value
-    yield comparison.at_reference(formula)
+def _results(comparison: Comparison, formula: Formula | None) -> tuple[float, float]:
+    """Return what a formula comes to with the numbers in the cells, and with those before them.
+
+    Args:
+        comparison: of the answer.
+        formula: with shortened constants; None for the right one.
+    """
+    if formula is None:
+        return comparison.expected, comparison.reference
+    return comparison.number_at_own(formula), comparison.at_reference(formula)
 
 
 def _half_unit(comparison: Comparison, figures: int) -> float:
@@ -139,10 +148,11 @@ def _ways(
     cut, typed = _log_odds(UNKNOWN.cuts_off), _log_odds(UNKNOWN.carries_typed)
     as_reference = {one.quantity.id for one in right if _is_written_for_reference(one, figures)}
     for one in right:
-        formula = with_constants(one.plan, one.quantity.id, constants)
         half_unit = _half_unit(one, figures)
-        if formula is None or not half_unit:
+        if not half_unit:
             continue
+        uses = constants and uses_constant(one.plan, one.quantity.id, constants)
+        formula = with_constants(one.plan, one.quantity.id, constants) if uses else None
         from_cells, from_before = (
             (_is_cut(one.value, result, half_unit), _is_rounded(one.value, result, half_unit))
             for result in _results(one, formula)
