@@ -17,6 +17,7 @@ from gripcourse.grading.extended import extended
 from gripcourse.grading.flags import flags_of
 from gripcourse.grading.intended import as_intended
 from gripcourse.grading.model import Cause, Finding, Outcome, Report, sums_of
+from gripcourse.grading.same_factor import same_factor_once
 from gripcourse.grading.same_number import same_number_once
 from gripcourse.grading.same_slip import same_slip_once
 from gripcourse.grading.shown_manner import in_own_manner
@@ -59,7 +60,7 @@ def judge(
        constant that was shortened too far, or two numbers in each other's cells, cost once.
     4. settled: what one number used wrongly explains costs once, where it is used first; a number
        that is asked for in several cells costs once too, and so does one wrong method in formulas
-       that are alike.
+       that are alike, or one factor.
     5. supported: in a work that hardly calculates, what follows needs what it follows from.
     6. findings: conclusions with points, remarks, and the wrong answers at their root.
 
@@ -81,6 +82,7 @@ def judge(
     settled = [_substituted(case, one, by_answer(substituted)) for one in intended]
     if is_calculated(case, settled):
         settled = same_slip_once(case, same_number_once(case, settled))
+        settled = same_factor_once(case, settled)
     supported = withhold_unsupported(case, settled)
     findings = _findings(case, supported)
     return _report(submission, issued, case, findings, causes_of(plan, findings, substituted))
