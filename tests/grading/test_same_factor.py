@@ -15,19 +15,14 @@ if TYPE_CHECKING:
 
     Typed = Callable[[str, float, int], Answer]
 
-ENDS = ("force_ratio_at_max", "force_ratio_at_min")
+ENDS = ("cylinder_span_open", "cylinder_span_at_min")
 NO_METHOD = 0.3717  # times the right number: no wrong method comes to it
 
 
 @pytest.fixture(scope="session")
 def two_ends(drawn: "tuple[Case, ...]") -> "tuple[Case, ...]":
-    """Variants whose force ratio is asked for at both ends of the range, and differs there."""
-    return tuple(
-        one
-        for one in drawn
-        if set(ENDS) <= one.answers.keys()
-        and abs(one.reference[ENDS[0]] - one.reference[ENDS[1]]) > 0.05 * one.reference[ENDS[0]]
-    )
+    """Variants of a cylinder whose length is asked for at both ends of its stroke."""
+    return tuple(one for one in drawn if set(ENDS) <= one.answers.keys())
 
 
 def judged(case: "Case", wrong: "Mapping[str, Answer]") -> "Iterator[tuple[str, Outcome]]":
@@ -38,14 +33,11 @@ def judged(case: "Case", wrong: "Mapping[str, Answer]") -> "Iterator[tuple[str, 
 
 
 def test_one_factor_at_both_ends_costs_once(two_ends: "tuple[Case, ...]", typed: "Typed") -> None:
-    """Or one wrong number behind both explains it, which costs once, too."""
-    seen = set[tuple[Outcome, ...]]()
+    assert two_ends
     for case in two_ends:
         wrong = {name: typed(name, NO_METHOD * case.reference[name], 5) for name in ENDS}
-        outcomes = tuple(one for _, one in judged(case, wrong))
-        assert sum(one.traits.mistake for one in outcomes) <= 1, case.label
-        seen.add(outcomes)
-    assert (Outcome.WRONG, Outcome.CARRIED) in seen
+        outcomes = [one for _, one in judged(case, wrong)]
+        assert outcomes == [Outcome.WRONG, Outcome.CARRIED], case.label
 
 
 def test_two_factors_cost_twice(two_ends: "tuple[Case, ...]", typed: "Typed") -> None:
@@ -69,8 +61,8 @@ def test_two_mistakes_are_hardly_ever_taken_for_one(
     """Numbers that are wrong for two reasons are as many times the right ones by chance only."""
     random = np.random.default_rng(20261129)
     taken = total = 0
-    for case in two_ends[:10]:
-        for _ in range(12):
+    for case in two_ends:
+        for _ in range(40):
             factors = np.exp(random.normal(size=2))
             wrong = {
                 name: typed(name, float(factor) * case.reference[name], 4)
