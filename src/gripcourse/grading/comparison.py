@@ -23,6 +23,8 @@ from gripcourse.submission.model import Answer
 from gripcourse.text.units import factor
 from gripcourse.text.words import Message
 
+_OF_FLOATING_POINT = 1e-12  # relative: what a difference or a cosine leaves of nothing
+
 
 @dataclass(frozen=True, slots=True)
 class Judgement:
@@ -183,8 +185,12 @@ class Comparison:
         return met_as_typed(self.answer, self.value, result, self.policy)
 
     def band_round(self, expected: float) -> float:
-        """Return the half width of the band round an expected value, in the declared unit."""
-        return self.bands.round(expected)
+        """Return the half width of the band round an expected value, in the declared unit.
+
+        The cosine of 90° comes out as 6e-17: who writes 0 beside numbers of a usual size is right.
+        """
+        size = abs(self.reference) if math.isfinite(self.reference) else 0.0
+        return max(self.bands.round(expected), _OF_FLOATING_POINT * size)
 
     def widest_round(self, value: float) -> float:
         """Return how far what is lost on the way may move a value, in the declared unit."""

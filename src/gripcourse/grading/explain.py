@@ -13,6 +13,7 @@ from typing import Final
 
 from gripcourse.formula.tree import Call
 from gripcourse.grading.comparison import Comparison, ExpectedRange
+from gripcourse.grading.manner import CARRIED_TYPED
 from gripcourse.grading.shortened import with_shortened
 from gripcourse.grading.typed_density import density, furthest_met, unexplained
 from gripcourse.policy.slips import OF_WRITING, SlipKind, SlipPolicy
@@ -35,12 +36,22 @@ _HABITS_MOVE: Final = 0.1  # the share by which a shortened constant may change 
 
 @dataclass(frozen=True, slots=True)
 class Weighed:
-    """A wrong method, of which quantity it is, its result here in the declared unit, its weight."""
+    """A wrong method of a quantity, with what it comes to here and how it is weighed.
+
+    Attributes:
+        of: id of the quantity.
+        candidate: the method.
+        value: its result at the student's numbers, in the declared unit.
+        weight: against others.
+        is_sharp: whether what earlier numbers lost in typing moves the result by no more than a
+            unit of the last typed digit: else nobody knows what the calculator held.
+    """
 
     of: str
     candidate: Candidate
     value: float
     weight: float
+    is_sharp: bool = True
 
 
 @dataclass(frozen=True, slots=True)
@@ -79,7 +90,14 @@ def _weigh(
         met += _FROM_REFERENCE / _FROM_OWN * met
     if abs(comparison.value - follow_through.value) <= _HABITS_MOVE * abs(follow_through.value):
         met = _met_by_habit(comparison, candidate, furthest, met)
-    return Weighed(comparison.quantity.id, candidate, follow_through.value, candidate.prior * met)
+    width = follow_through.high - follow_through.low
+    return Weighed(
+        of=comparison.quantity.id,
+        candidate=candidate,
+        value=follow_through.value,
+        weight=candidate.prior * met,
+        is_sharp=width <= 2 * comparison.answer.half_unit,
+    )
 
 
 def _met_by_habit(
@@ -121,6 +139,8 @@ def with_later_answers(found: Weighed, later: Sequence[Comparison]) -> Weighed:
         if typed > 0:
             exact = density(comparison, comparison.following(found.of, found.value))
             carries_typed = comparison.manner.carries_typed
+            if not found.is_sharp:
+                carries_typed = max(carries_typed, CARRIED_TYPED)
             weight *= carries_typed + (1 - carries_typed) * exact / typed
     return replace(found, weight=weight)
 
