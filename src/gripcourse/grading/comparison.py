@@ -177,20 +177,21 @@ class Comparison:
         return other
 
     def fits(self, expected: float) -> bool:
-        """Tell whether the answer lies in the band round an expected value."""
-        return within(self.value, expected, self.band_round(expected))
+        """Tell whether the answer lies in the band round an expected value.
+
+        The cosine of 90° comes out as 6e-17: who writes 0 for it is right.
+        """
+        return within(self.value, expected, self.band_round(expected)) or (
+            self.value == 0 and abs(expected) <= _OF_FLOATING_POINT * abs(self.reference)
+        )
 
     def meets_as_typed(self, result: float) -> bool:
         """Tell whether the answer is a result, in the declared unit, as exactly as it was typed."""
         return met_as_typed(self.answer, self.value, result, self.policy)
 
     def band_round(self, expected: float) -> float:
-        """Return the half width of the band round an expected value, in the declared unit.
-
-        The cosine of 90° comes out as 6e-17: who writes 0 beside numbers of a usual size is right.
-        """
-        size = abs(self.reference) if math.isfinite(self.reference) else 0.0
-        return max(self.bands.round(expected), _OF_FLOATING_POINT * size)
+        """Return the half width of the band round an expected value, in the declared unit."""
+        return self.bands.round(expected)
 
     def widest_round(self, value: float) -> float:
         """Return how far what is lost on the way may move a value, in the declared unit."""
