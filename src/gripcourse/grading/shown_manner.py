@@ -21,11 +21,13 @@ from gripcourse.grading.submission_case import GradingCase, JudgedAnswer, is_une
 
 # So likely is it that one right answer does not show what its student does elsewhere.
 _ODD_ONE: Final = 0.2
+_SPEAKS_AGAINST: Final = math.log(_ODD_ONE)
 _SHORTENS: Final = 0.2  # as many shorten a constant for each who does not
 _LIKELIER: Final = 3.0  # times: a constant counts as shortened
 _SUREST: Final = 0.98  # nobody writes all numbers in one way
 _MOST: Final = 0.6  # share of the numbers that are written with as many figures
 _ENOUGH: Final = 5  # numbers
+_TELLING: Final = 30  # numbers: by then each way of writing has shown itself
 _EDGE: Final = 1e-6  # of half a unit: what floating point leaves
 
 
@@ -68,7 +70,7 @@ def manner_of(judged: Sequence[JudgedAnswer]) -> Manner:
     ]
     figures = _figures(right)
     constants = _constants(right, figures)
-    cut, typed = _ways(right, figures, constants)
+    cut, typed = _ways(right[:_TELLING], figures, constants)
     return Manner(cut, typed, figures, constants)
 
 
@@ -85,14 +87,16 @@ def _constants(right: Sequence[Comparison], figures: int) -> Mapping[str, float]
     """Return the constants that the answers which use them show to be shortened."""
     odds: dict[str, dict[float, float]] = {}
     for one in right:
-        plan, name = one.plan, one.quantity.id
+        plan, name, habits = one.plan, one.quantity.id, one.policy.habits
+        if not uses_constant(plan, name, habits):
+            continue
         used = [
             (constant, value)
-            for constant, values in one.policy.habits.items()
+            for constant, values in habits.items()
             if uses_constant(plan, name, (constant,))
             for value in values
         ]
-        exact = _speaks(_shows(one, None, figures)) if used else 0.0
+        exact = _speaks(_shows(one, None, figures))
         for constant, value in used:
             formula = with_constants(plan, name, {constant: value})
             of_constant = odds.setdefault(constant, {})
@@ -122,7 +126,10 @@ def _results(comparison: Comparison, formula: Formula | None) -> tuple[float, fl
     """
     if formula is None:
         return comparison.expected, comparison.reference
-    return comparison.number_at_own(formula), comparison.at_reference(formula)
+    before = comparison.at_reference(formula)
+    if comparison.own_inputs.isdisjoint(formula.names):
+        return before, before
+    return comparison.number_at_own(formula), before
 
 
 def _half_unit(comparison: Comparison, figures: int) -> float:
@@ -183,4 +190,4 @@ def _share(log_odds: float) -> float:
 
 def _speaks(shown: object) -> float:
     """Return the logarithm of how likely a number is by a way that it shows, or does not show."""
-    return 0.0 if shown else math.log(_ODD_ONE)
+    return 0.0 if shown else _SPEAKS_AGAINST
