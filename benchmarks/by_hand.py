@@ -9,9 +9,11 @@ answers of a scheme had full points, none, and a part of them. Exit status 1: so
 
 With `--mistakes` each work has one mistake, made in one step (or the same way in several steps that
 are alike) and carried on. A line of each says how many works paid for it once, where it was made;
-how many paid elsewhere or more than once; in how many it is accepted as an erratum of the sources,
-another reading, or a sound size; in how many it is named, and how. Works in which it changes less
-than twice the band of every answer, or leads to where no size or angle is left, are not handed in.
+how many paid elsewhere or more than once; in how many it costs nothing, and why: it is accepted as
+an erratum of the sources or as another reading, the size is sound all the same, or what is written
+lies in its band; `a gap` is what none of these explains. A mistake is named by a known slip; `said`
+of a size is that it is below what is required. Works in which it changes less than twice the band
+of every answer, or leads to where no size or angle is left, are not handed in.
 """
 
 import argparse
@@ -33,7 +35,7 @@ from hand.wrong import Mistake
 from gripcourse.batch.context import GradingContext
 from gripcourse.batch.one_file import grade_file
 from gripcourse.course.load import load_course
-from gripcourse.grading.model import Finding
+from gripcourse.grading.model import Against, Finding
 from gripcourse.policy.load import load_policy
 from gripcourse.solver.plan import plan_of
 from gripcourse.text.words import Words
@@ -43,6 +45,9 @@ from gripcourse.workbook.write import answer_workbook
 
 ROOT = Path(__file__).parents[1]
 _UNSIGNED = "0" * 64
+ERRATUM, READING, SIZE, IN_BAND = "an erratum", "another reading", "a sound size", "in its band"
+A_GAP = "a gap"
+NOTHING = (ERRATUM, READING, SIZE, IN_BAND, A_GAP)  # why a mistake costs nothing
 _SEEN = 0.02  # twice the band of most answers: of less no examiner can tell that it is no rounding
 
 
@@ -155,7 +160,7 @@ def paid(finding: Finding) -> str:
 
 def tally_of_mistakes(handouts: Mapping[str, Sequence[Handout]], folder: Path) -> int:
     """Print a line for each mistake of each scheme; return how many works paid more than once."""
-    print(f"{'':62} works  once  more  none named  names")
+    print(f"{'':62} works  once  more  none named  said  names")
     sums = Counter[str]()
     for scheme, given in handouts.items():
         print(scheme)
@@ -173,7 +178,8 @@ def tally_of_mistakes(handouts: Mapping[str, Sequence[Handout]], folder: Path) -
         print(line_of_mistakes(f"{scheme}, all", of_scheme, Counter()))
         sums += of_scheme
     print(line_of_mistakes("all", sums, Counter()))
-    return sums["more"]
+    print("charged nothing: " + ", ".join(f"{one} {sums[one]}" for one in NOTHING))
+    return sums["more"] + sums[A_GAP]
 
 
 def mistaken(handout: Handout, mistake: Mistake, right: Notebook) -> Notebook | None:
@@ -195,21 +201,47 @@ def judge(
     counts["works"] += 1
     if not charged:
         counts["none"] += 1
+        why = {why_nothing(one): None for one in found if one.quantity in mistake.steps}
+        reason = next((one for one in NOTHING if one in why), A_GAP)
+        counts[reason] += 1
+        names[reason] += 1
         return
     roots = [one for one in charged if one.quantity in mistake.steps]
     once = len(charged) == 1 and bool(roots)
     counts["once" if once else "more"] += 1
     slips = [one.slip for one in roots if one.slip is not None]
     counts["named"] += bool(slips)
+    counts["said"] += not slips and any(is_said(one) for one in roots)
     names.update(str(one) for one in slips[:1])
     if not once:
         names[f"also {', '.join(one.quantity for one in charged if one not in roots[:1])}"] += 1
 
 
+def why_nothing(finding: Finding) -> str:
+    """Return why an answer that was made wrongly has full points."""
+    match finding.against:
+        case Against.PRINTED:
+            return ERRATUM
+        case Against.ALTERNATIVE:
+            return READING
+    if str(finding.message).startswith("A sound decision"):
+        return SIZE
+    expected = finding.reference if finding.against is Against.REFERENCE else finding.expected
+    if finding.given is None or expected is None:
+        return A_GAP
+    return IN_BAND if abs(finding.given - expected) <= finding.band else A_GAP
+
+
+def is_said(finding: Finding) -> bool:
+    """Tell whether a size is said to be below the required one."""
+    return str(finding.message) == "The size is below the required value."
+
+
 def line_of_mistakes(title: str, counts: Counter[str], names: Counter[str]) -> str:
     """Return a line of the table of mistakes."""
     said = "; ".join(f"{name} {count}" for name, count in names.most_common(3))
-    numbers = " ".join(f"{counts[one]:5d}" for one in ("works", "once", "more", "none", "named"))
+    columns = ("works", "once", "more", "none", "named", "said")
+    numbers = " ".join(f"{counts[one]:5d}" for one in columns)
     return f"{title:62} {numbers}  {said}".rstrip()
 
 

@@ -20,9 +20,13 @@ def _of_module(n: Notebook) -> float:
 
 
 def _other_root(n: Notebook, right: float) -> float:
-    """Return a module by the cube root for the root, or by the root for the cube root."""
-    inside = (right / _of_module(n)) ** (1 / _root(n))
-    return float(_of_module(n) * inside ** (5 / 6 - _root(n)))
+    """Return a module by the cube root for the root, or by the root for the cube root.
+
+    In the formula of a pinion all stands under the root, in that of a sector 1.4 before it.
+    """
+    if _root(n) == 1 / 2:
+        return float(right ** (2 / 3))
+    return float(1.4 * (right / 1.4) ** (3 / 2))
 
 
 _GEARS: Final[tuple[Mistake, ...]] = (

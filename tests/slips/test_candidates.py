@@ -209,6 +209,8 @@ class TestGenericSlips:
             ),
             ("friction**3", "power:0,2", {"friction": 0.5}, 0.25),
             ("cbrt(grip_force)", "power:0,body", {"grip_force": 8}, 8),
+            ("sqrt(grip_force)", "power:0,cbrt", {"grip_force": 8}, 2),
+            ("1.4**3*grip_force", "number_left_out:0", {"grip_force": 8}, 8),
             (
                 "grip_force*arm_length",
                 "counted_twice:dynamic_factor,grip_force",

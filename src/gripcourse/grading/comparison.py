@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Mapping
+from copy import copy
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -11,6 +12,7 @@ from gripcourse.course.quantity import Kind, Quantity
 from gripcourse.formula.evaluate import evaluate_number, evaluate_sound
 from gripcourse.formula.tree import Formula
 from gripcourse.grading.follow_through import FollowThrough, range_of
+from gripcourse.grading.manner import UNKNOWN, Manner
 from gripcourse.grading.model import Against, Outcome
 from gripcourse.grading.rounding import met_as_typed
 from gripcourse.policy.bands import BandRule, band_rules, within
@@ -20,6 +22,8 @@ from gripcourse.solver.plan import Plan
 from gripcourse.submission.model import Answer
 from gripcourse.text.units import factor
 from gripcourse.text.words import Message
+
+_OF_FLOATING_POINT = 1e-12  # relative: what a difference or a cosine leaves of nothing
 
 
 @dataclass(frozen=True, slots=True)
@@ -88,6 +92,7 @@ class Comparison:
         follow_through: the calculation at the student's own numbers.
         reference: the reference value, in the declared unit; NaN where there is none.
         follows: what follows from the student's own inputs, in the declared unit.
+        manner: how the student writes numbers, as far as that is known.
         bands, widest: how far an answer may be from a value, and how wide a range counts.
     """
 
@@ -98,6 +103,7 @@ class Comparison:
     value: float
     reference_values: Mapping[str, float]
     follow_through: FollowThrough
+    manner: Manner = UNKNOWN
 
     reference: float = field(init=False)
     follows: ExpectedRange = field(init=False)
@@ -132,6 +138,12 @@ class Comparison:
         """Evaluate a formula at the reference's inputs, in the declared unit."""
         return self._number(formula, self.reference_values) / factor(self.quantity.unit)
 
+    def number_at_own(self, formula: Formula) -> float:
+        """Evaluate a formula at the student's inputs, in the declared unit, without its range."""
+        return self._number(formula, self.follow_through.numbers.values) / factor(
+            self.quantity.unit
+        )
+
     def at_own(self, formula: Formula) -> ExpectedRange:
         """Evaluate a formula at the student's inputs, in the declared unit."""
         value = self._number(formula, self.follow_through.numbers.values)
@@ -158,9 +170,20 @@ class Comparison:
         moved = {**own.moved.values, name: np.asarray(exact)}
         return self._range(result, self._ends(formula, moved))
 
+    def in_manner(self, manner: Manner) -> "Comparison":
+        """Return the same for a student of whom it is known how numbers are written."""
+        other = copy(self)  # nothing that is computed at the beginning depends on it
+        object.__setattr__(other, "manner", manner)
+        return other
+
     def fits(self, expected: float) -> bool:
-        """Tell whether the answer lies in the band round an expected value."""
-        return within(self.value, expected, self.band_round(expected))
+        """Tell whether the answer lies in the band round an expected value.
+
+        The cosine of 90° comes out as 6e-17: who writes 0 for it is right.
+        """
+        return within(self.value, expected, self.band_round(expected)) or (
+            self.value == 0 and abs(expected) <= _OF_FLOATING_POINT * abs(self.reference)
+        )
 
     def meets_as_typed(self, result: float) -> bool:
         """Tell whether the answer is a result, in the declared unit, as exactly as it was typed."""

@@ -17,7 +17,6 @@ from gripcourse.grading.explain import (
     Explanation,
     Weighed,
     conclude,
-    density,
     density_alone,
     weigh,
     with_later_answers,
@@ -25,6 +24,7 @@ from gripcourse.grading.explain import (
 from gripcourse.grading.mistyped import is_mistyped
 from gripcourse.grading.model import Against, Outcome
 from gripcourse.grading.other_cell import is_number_of, weigh_other_cell
+from gripcourse.grading.typed_density import density
 from gripcourse.grading.unwritten import UNWRITTEN, carried_here, unwritten_before
 from gripcourse.policy.slips import OF_WRITING
 from gripcourse.slips.model import Candidate
@@ -162,28 +162,30 @@ def _with_slip(comparison: Comparison, judgement: Judgement, explanation: Explan
 
 
 def _said(comparison: Comparison, explanation: Explanation) -> Message:
-    hint = explanation.likeliest.candidate.hint
+    likeliest = explanation.likeliest.candidate
     match _said_otherwise(explanation):
         case (other, *_) if other.of != comparison.quantity.id:
             return message(
-                "One of two known slips. {hint} Or, in a step that you left blank, {title}: "
-                "{other}",
-                hint=hint,
+                "One of two known slips. Either: {hint} Or, in a step that you left blank, "
+                "{title}: {other}",
+                hint=likeliest.hint,
                 title=comparison.plan.quantities[other.of].short_title,
-                other=other.candidate.hint,
+                other=other.candidate.hint_after([likeliest]),
             )
         case (other, third) if third.of == comparison.quantity.id:
             return message(
-                "One of three known slips. {hint} Or: {other} Or: {third}",
-                hint=hint,
-                other=other.candidate.hint,
-                third=third.candidate.hint,
+                "One of three known slips. Either: {hint} Or: {other} Or: {third}",
+                hint=likeliest.hint,
+                other=other.candidate.hint_after([likeliest]),
+                third=third.candidate.hint_after([likeliest, other.candidate]),
             )
         case (other, *_):
             return message(
-                "One of two known slips. {hint} Or: {other}", hint=hint, other=other.candidate.hint
+                "One of two known slips. Either: {hint} Or: {other}",
+                hint=likeliest.hint,
+                other=other.candidate.hint_after([likeliest]),
             )
-    return message("A known slip: {hint}", hint=hint)
+    return message("A known slip: {hint}", hint=likeliest.hint)
 
 
 def _said_otherwise(explanation: Explanation) -> tuple[Weighed, ...]:
@@ -211,11 +213,11 @@ def said_of_blank(methods: Sequence[tuple[Quantity, Candidate]]) -> Message:
     for other, another in others:
         if other is step:
             return message(
-                "Follows from one of two slips in a step that you left blank, {title}: {hint} Or: "
-                "{other}",
+                "Follows from one of two slips in a step that you left blank, {title}. Either: "
+                "{hint} Or: {other}",
                 title=step.short_title,
                 hint=method.hint,
-                other=another.hint,
+                other=another.hint_after([method]),
             )
         return message(
             "Follows from a slip in a step that you left blank, {title}: {hint} Or from another "
@@ -223,7 +225,7 @@ def said_of_blank(methods: Sequence[tuple[Quantity, Candidate]]) -> Message:
             title=step.short_title,
             hint=method.hint,
             step=other.short_title,
-            other=another.hint,
+            other=another.hint_after([method]),
         )
     return message(
         "Follows from a slip in a step that you left blank, {title}: {hint}",

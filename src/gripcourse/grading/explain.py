@@ -13,49 +13,45 @@ from typing import Final
 
 from gripcourse.formula.tree import Call
 from gripcourse.grading.comparison import Comparison, ExpectedRange
-from gripcourse.grading.rounding import typed_half_unit, without_zeros
+from gripcourse.grading.manner import CARRIED_TYPED
 from gripcourse.grading.shortened import with_shortened
+from gripcourse.grading.typed_density import density, furthest_met, unexplained
 from gripcourse.policy.slips import OF_WRITING, SlipKind, SlipPolicy
 from gripcourse.slips.model import Candidate
 from gripcourse.text.units import factor
 
-# The last digits of a number differ by the route: 3.14159 for pi.
-_FINEST: Final = 5e-6
-# Zeros that a cell has lost go on for three more digits at least.
-_SHORTEST: Final = 1e-3
 # Methods whose results agree so far cannot be told apart by any number.
 _ALIKE: Final = 1e-6
-# Shares of the people who round, and of those who cut digits off where the policy thinks of them.
-_ROUNDED, _CUT_OFF = 0.9, 0.1
-# A short number in a cell may have lost zeros of three figures, or of as many as the calculator
-# has, or may have been typed so coarsely.
-_ZEROS_LOST, _EXACT, _COARSE = 0.67, 0.3, 0.03
-# Few round large whole numbers to the figures that are asked.
-_ROUND_NUMBERS = 0.2
 # People compute from their own numbers; few take one of somebody else's that is right.
 _FROM_OWN, _FROM_REFERENCE = 0.9, 0.1
-# Some carry on the typed number, some the one in the calculator.
-_CARRIED_TYPED, _CARRIED_EXACT = 0.5, 0.5
 _LATER: Final = 4  # answers that are asked
 _TWO: Final = 2
 _MOST_NAMED: Final = 3  # methods: more tell a student nothing
 FROM_HABIT: Final = 0.2
 """Few shorten a constant so much that the result shows it."""
 
-_SLACK: Final = 1e-9  # relative: what floating point leaves of equal numbers
-# Spreads: farther off a log-normal density would be 0, and no other explanation could be weighed.
-_FARTHEST: Final = 10.0
+_AS_MANY: Final = 1e-3  # relative: two numbers are as many times another one
 _HABITS_MOVE: Final = 0.1  # the share by which a shortened constant may change a result
 
 
 @dataclass(frozen=True, slots=True)
 class Weighed:
-    """A wrong method, of which quantity it is, its result here in the declared unit, its weight."""
+    """A wrong method of a quantity, with what it comes to here and how it is weighed.
+
+    Attributes:
+        of: id of the quantity.
+        candidate: the method.
+        value: its result at the student's numbers, in the declared unit.
+        weight: against others.
+        is_sharp: whether what earlier numbers lost in typing moves the result by no more than a
+            unit of the last typed digit: else nobody knows what the calculator held.
+    """
 
     of: str
     candidate: Candidate
     value: float
     weight: float
+    is_sharp: bool = True
 
 
 @dataclass(frozen=True, slots=True)
@@ -77,7 +73,7 @@ def weigh(comparison: Comparison, candidates: Sequence[Candidate]) -> list[Weigh
     Returns:
         Those that meet it, in the order of the candidates.
     """
-    furthest, own = _furthest(comparison), comparison.own_inputs
+    furthest, own = furthest_met(comparison), comparison.own_inputs
     weighed = (_weigh(comparison, one, furthest, own) for one in candidates)
     return [one for one in weighed if one.weight > 0]
 
@@ -92,30 +88,41 @@ def _weigh(
         met += _FROM_REFERENCE * _met(comparison, ExpectedRange(reference, reference, reference))
     else:
         met += _FROM_REFERENCE / _FROM_OWN * met
-    if met == 0 and abs(comparison.value - follow_through.value) <= _HABITS_MOVE * abs(
-        follow_through.value
-    ):
-        met = FROM_HABIT * max(
-            (
-                _met(comparison, comparison.near_own(one.formula, furthest))
-                for one in with_shortened(candidate.formula, comparison.policy.habits)
-            ),
-            default=0.0,
-        )
-    return Weighed(comparison.quantity.id, candidate, follow_through.value, candidate.prior * met)
+    if abs(comparison.value - follow_through.value) <= _HABITS_MOVE * abs(follow_through.value):
+        met = _met_by_habit(comparison, candidate, furthest, met)
+    width = follow_through.high - follow_through.low
+    return Weighed(
+        of=comparison.quantity.id,
+        candidate=candidate,
+        value=follow_through.value,
+        weight=candidate.prior * met,
+        is_sharp=width <= 2 * comparison.answer.half_unit,
+    )
 
 
-def _furthest(comparison: Comparison) -> float:
-    """Return how far from a result a typed number can be that it still speaks for."""
-    half_units = (
-        comparison.answer.half_unit,
-        typed_half_unit(comparison.answer, comparison.policy),
-        without_zeros(comparison.answer, comparison.policy),
-        _FINEST * abs(comparison.value),
-    )
-    return max(half_units) * max(1.0, 2 * comparison.policy.last_digit) + _SLACK * abs(
-        comparison.value
-    )
+def _met_by_habit(
+    comparison: Comparison, candidate: Candidate, furthest: float, met: float
+) -> float:
+    """Return how well a method meets an answer, by somebody who may have shortened a constant.
+
+    Args:
+        comparison: of the answer.
+        candidate: the method.
+        furthest: see `furthest_met`.
+        met: how well it meets the answer with the constants as they are.
+    """
+    own = comparison.manner.constants
+    if met and not own:
+        return met
+    formula, met_so = candidate.formula, dict[bool, float]()
+    for one in with_shortened(formula, comparison.policy.habits):
+        is_own = own.get(one.name) == one.value
+        found = _met(comparison, comparison.near_own(one.formula, furthest))
+        met_so[is_own] = max(met_so.get(is_own, 0.0), found)
+    # Who shortens a constant elsewhere does so here, and who does not, does not.
+    if True in met_so:
+        return max(met_so[True], FROM_HABIT * max(met, met_so.get(False, 0.0)))
+    return met or FROM_HABIT * met_so.get(False, 0.0)
 
 
 def with_later_answers(found: Weighed, later: Sequence[Comparison]) -> Weighed:
@@ -131,7 +138,10 @@ def with_later_answers(found: Weighed, later: Sequence[Comparison]) -> Weighed:
         )
         if typed > 0:
             exact = density(comparison, comparison.following(found.of, found.value))
-            weight *= _CARRIED_TYPED + _CARRIED_EXACT * exact / typed
+            carries_typed = comparison.manner.carries_typed
+            if not found.is_sharp:
+                carries_typed = max(carries_typed, CARRIED_TYPED)
+            weight *= carries_typed + (1 - carries_typed) * exact / typed
     return replace(found, weight=weight)
 
 
@@ -168,65 +178,6 @@ def conclude(
         if together and few and len(some) == count:
             return Explanation(some[0], tuple(some[1:]))
     return None
-
-
-def density(comparison: Comparison, result: ExpectedRange) -> float:
-    """Return how densely typed numbers lie at an answer, for people who compute this result."""
-    if comparison.value == 0:
-        return 0.0  # it has no last digit, and says nothing about where it comes from
-    rounded = without_zeros(comparison.answer, comparison.policy)
-    as_typed = _as_typed(comparison, result)
-    if rounded == 0:
-        return as_typed
-    # Zeros end a number by rounding, or by chance: each with one in ten.
-    by_chance = (1 - _ROUND_NUMBERS) * comparison.answer.half_unit / rounded
-    share = _ROUND_NUMBERS / (_ROUND_NUMBERS + by_chance)
-    return share * _density(comparison, result, rounded) + (1 - share) * as_typed
-
-
-def _as_typed(comparison: Comparison, result: ExpectedRange) -> float:
-    value = comparison.value
-    finest = _FINEST * abs(value)
-    fine = max(typed_half_unit(comparison.answer, comparison.policy), finest)
-    coarse = max(comparison.answer.half_unit, finest)
-    if coarse <= fine:
-        return _density(comparison, result, fine)
-    return (
-        _ZEROS_LOST * _density(comparison, result, fine)
-        + _EXACT * _density(comparison, result, max(finest, _SHORTEST * coarse))
-        + _COARSE * _density(comparison, result, coarse)
-    )
-
-
-def _density(comparison: Comparison, result: ExpectedRange, half_unit: float) -> float:
-    nearest = result.nearest(comparison.value)
-    distance = abs(comparison.value - nearest)
-    width = result.high - result.low
-    cut = 2 * half_unit * comparison.policy.last_digit
-    slack = _SLACK * abs(comparison.value)
-    if distance <= half_unit + slack:
-        return _ROUNDED / (width + 2 * half_unit)
-    # What is cut off is written nearer to zero than it is.
-    if distance <= cut + slack and abs(comparison.value) < abs(nearest):
-        return _CUT_OFF / (width + 2 * cut)
-    return 0.0
-
-
-def unexplained(comparison: Comparison) -> float:
-    """Return how densely wrong numbers that nothing explains lie at an answer.
-
-    They scatter log-normally about the right one, and none is impossible; either sign may be wrong
-    too.
-    """
-    size = abs(comparison.value)
-    right = abs(
-        comparison.reference if math.isfinite(comparison.reference) else comparison.expected
-    )
-    if size == 0 or right == 0 or not math.isfinite(right):
-        return 1.0 / (size or 1.0)
-    spread = comparison.policy.slips.spread
-    away = min(abs(math.log(size / right) / spread), _FARTHEST)
-    return math.exp(-away * away / 2) / (2 * size * spread * math.sqrt(2 * math.pi))
 
 
 def _by_no_method(comparison: Comparison) -> float:
@@ -296,7 +247,7 @@ def _through_an_input(comparison: Comparison, group: Sequence[Weighed]) -> Itera
     for one in group:
         if one.candidate.kind == SlipKind.INPUT_UNIT:
             times = float(one.candidate.id.detail.split(",")[1])
-            if not math.isclose(one.value, times * comparison.expected, rel_tol=_SHORTEST):
+            if not math.isclose(one.value, times * comparison.expected, rel_tol=_AS_MANY):
                 yield one
 
 

@@ -17,8 +17,10 @@ from gripcourse.grading.extended import extended
 from gripcourse.grading.flags import flags_of
 from gripcourse.grading.intended import as_intended
 from gripcourse.grading.model import Cause, Finding, Outcome, Report, sums_of
+from gripcourse.grading.same_factor import same_factor_once
 from gripcourse.grading.same_number import same_number_once
 from gripcourse.grading.same_slip import same_slip_once
+from gripcourse.grading.shown_manner import in_own_manner
 from gripcourse.grading.significant_digits import figures_remark
 from gripcourse.grading.submission_case import (
     GradingCase,
@@ -52,12 +54,13 @@ def judge(
     Each step looks at all answers and changes the conclusion about some of them:
 
     1. compared: with the reference, and with the formula at the student's own earlier numbers.
-    2. explained: a wrong answer that a known wrong method gives becomes a slip.
+    2. explained: a wrong answer that a known wrong method gives becomes a slip; how the student
+       writes numbers, as the right answers show, tells methods apart.
     3. intended: what follows from a number that was only written down wrongly is no mistake; a
        constant that was shortened too far, or two numbers in each other's cells, cost once.
     4. settled: what one number used wrongly explains costs once, where it is used first; a number
        that is asked for in several cells costs once too, and so does one wrong method in formulas
-       that are alike.
+       that are alike, or one factor.
     5. supported: in a work that hardly calculates, what follows needs what it follows from.
     6. findings: conclusions with points, remarks, and the wrong answers at their root.
 
@@ -71,6 +74,7 @@ def judge(
     methods = candidates_of or (lambda name: make_candidates(plan, name, policy.slips))
     case = make_case(submission, issued, plan, policy, methods)
     compared = [judge_answer(case, one, submission.answers.get(one.id)) for one in _in_order(plan)]
+    case, compared = in_own_manner(case, compared)
     explained = explain(case, compared)
     intended = exchanged_once(case, shortened_once(case, as_intended(case, explained)))
     found = substitutions(case, intended)
@@ -78,6 +82,7 @@ def judge(
     settled = [_substituted(case, one, by_answer(substituted)) for one in intended]
     if is_calculated(case, settled):
         settled = same_slip_once(case, same_number_once(case, settled))
+        settled = same_factor_once(case, settled)
     supported = withhold_unsupported(case, settled)
     findings = _findings(case, supported)
     return _report(submission, issued, case, findings, causes_of(plan, findings, substituted))

@@ -39,21 +39,28 @@ def endings(policy: Policy) -> tuple[bool, ...]:
     return (False, True) if cuts_off(policy) else (False,)
 
 
-def typed_half_unit(answer: Answer, policy: Policy) -> float:
-    """Return half a unit of the last digit that an answer counts as written with."""
+def typed_half_unit(answer: Answer, policy: Policy, figures: int = 0) -> float:
+    """Return half a unit of the last digit that an answer counts as written with.
+
+    Args:
+        answer: what was typed.
+        policy: says with how many figures a number counts as written at least.
+        figures: of the student's other numbers, as far as that is known.
+    """
     if answer.value is None:
         return 0.0
-    return min(answer.half_unit, figure_half_unit(answer.value, policy.figures))
+    return min(answer.half_unit, figure_half_unit(answer.value, max(policy.figures, figures)))
 
 
-def without_zeros(answer: Answer, policy: Policy) -> float:
+def without_zeros(answer: Answer, policy: Policy, figures: int = 0) -> float:
     """Return half a unit of the last digit before the zeros that end a whole number.
 
-    Digits that the policy asks for count though they are zeros; 0 where no other zero is there.
+    Digits that the policy asks for count though they are zeros, and as many as the student's other
+    numbers have, as far as that is known; 0 where no other zero is there.
     """
     if answer.value is None or answer.figures is None:
         return 0.0
-    half_unit = figure_half_unit(answer.value, max(answer.figures, policy.figures))
+    half_unit = figure_half_unit(answer.value, max(answer.figures, policy.figures, figures))
     return half_unit if half_unit > answer.half_unit * _MORE else 0.0
 
 

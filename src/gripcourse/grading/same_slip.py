@@ -24,11 +24,13 @@ from gripcourse.grading.submission_case import (
 from gripcourse.slips.model import USED, SlipId
 from gripcourse.text.words import message
 
-_Alike: TypeAlias = tuple[str, tuple[object, ...]]
+Alike: TypeAlias = tuple[str, tuple[object, ...]]
+"""What formulas have in common that are alike."""
+
 _Method: TypeAlias = SlipId | tuple[object, ...]
 """What is done wrong: by its name, or by the form of what is computed instead."""
 
-_Mistake: TypeAlias = tuple[_Method, _Alike]
+_Mistake: TypeAlias = tuple[_Method, Alike]
 
 
 def same_slip_once(case: GradingCase, judged: Sequence[JudgedAnswer]) -> list[JudgedAnswer]:
@@ -52,30 +54,30 @@ def same_slip_once(case: GradingCase, judged: Sequence[JudgedAnswer]) -> list[Ju
     return [_once(case, one, first) for one in judged]
 
 
-def _alike_in_doubt(case: GradingCase, judged: Sequence[JudgedAnswer]) -> set[_Alike]:
+def _alike_in_doubt(case: GradingCase, judged: Sequence[JudgedAnswer]) -> set[Alike]:
     """Return what several wrong answers have in common that nothing explains.
 
     A number that stands at both ends may have been copied there: that rivals the method that gives
     it at both, and neither is named. One method is met at both by chance seldom.
     """
-    unexplained = [set(_likenesses(case, one)) for one in judged if is_unexplained(case, one)]
+    unexplained = [set(likenesses(case, one)) for one in judged if is_unexplained(case, one)]
     counts = Counter(alike for of_one in unexplained for alike in of_one)
     return {alike for alike, count in counts.items() if count > 1}
 
 
-def _met(case: GradingCase, judged: JudgedAnswer, in_doubt: Collection[_Alike]) -> list[_Mistake]:
+def _met(case: GradingCase, judged: JudgedAnswer, in_doubt: Collection[Alike]) -> list[_Mistake]:
     """Return the methods that give an answer which nothing explains, as it gives those alike."""
     comparison = judged.comparison
     if comparison is None or not is_unexplained(case, judged):
         return []
-    likenesses = [one for one in _likenesses(case, judged) if one in in_doubt]
-    if not likenesses:
+    alike_ones = [one for one in likenesses(case, judged) if one in in_doubt]
+    if not alike_ones:
         return []
     met = weigh(comparison, case.candidates_of(judged.quantity.id))
-    return [(one.candidate.id, alike) for one in met for alike in likenesses]
+    return [(one.candidate.id, alike) for one in met for alike in alike_ones]
 
 
-def _likenesses(case: GradingCase, judged: JudgedAnswer) -> Iterator[_Alike]:
+def likenesses(case: GradingCase, judged: JudgedAnswer) -> Iterator[Alike]:
     """Yield what an answer has in common with those that are computed or read alike."""
     name, kind = judged.quantity.id, judged.quantity.kind
     formula = case.plan.reference_formula(name)
@@ -103,7 +105,7 @@ def _named(case: GradingCase, judged: JudgedAnswer) -> list[_Mistake]:
     instead = [one for one in case.candidates_of(judged.quantity.id) if one.id in named]
     methods: list[_Method] = [slip, *judged.judgement.tied]
     methods += [form(one.formula.tree) for one in instead]
-    return [(one, alike) for one in methods for alike in _likenesses(case, judged)]
+    return [(one, alike) for one in methods for alike in likenesses(case, judged)]
 
 
 def _once(case: GradingCase, judged: JudgedAnswer, first: Mapping[_Mistake, str]) -> JudgedAnswer:
@@ -128,8 +130,8 @@ def _repeated(
     comparison = judged.comparison
     if not first or comparison is None or not is_unexplained(case, judged):
         return []
-    likenesses = set(_likenesses(case, judged))
-    made = {method: alike for method, alike in first if alike in likenesses}
+    alike_ones = set(likenesses(case, judged))
+    made = {method: alike for method, alike in first if alike in alike_ones}
     if not made:
         return []
     met = weigh(

@@ -9,6 +9,7 @@ from gripcourse.grading.diagnose import CandidatesOf, diagnose
 from gripcourse.grading.follow_through import FollowThrough, follow
 from gripcourse.grading.judge_choice import judge_choice_answer
 from gripcourse.grading.judge_value import judge_value
+from gripcourse.grading.manner import UNKNOWN, Manner
 from gripcourse.grading.model import Against, Outcome
 from gripcourse.policy.model import Policy
 from gripcourse.policy.points import points_of
@@ -32,6 +33,7 @@ class GradingCase:
         points: of every answer.
         candidates_of: the wrong methods of each quantity.
         is_own: whether the workbook is the student's own, as far as it says.
+        manner: how the student writes numbers, as far as that is known.
     """
 
     plan: Plan
@@ -43,6 +45,7 @@ class GradingCase:
     points: Mapping[str, float]
     candidates_of: CandidatesOf
     is_own: bool
+    manner: Manner = UNKNOWN
 
 
 @dataclass(frozen=True, slots=True)
@@ -194,6 +197,7 @@ def _viewed(case: GradingCase, quantity: Quantity, answer: Answer, value: float)
         value=value,
         reference_values=case.reference,
         follow_through=case.follow_through,
+        manner=case.manner,
     )
     if not comparison.has_reference:
         said = message("There is no reference value for this variant; the instructor decides.")

@@ -9,10 +9,11 @@ import numpy as np
 
 from gripcourse.course.quantity import Kind
 from gripcourse.grading.comparison import Comparison, Judgement
-from gripcourse.grading.explain import FROM_HABIT, unexplained
+from gripcourse.grading.explain import FROM_HABIT
 from gripcourse.grading.roots import Array, reach
 from gripcourse.grading.shortened import shortenings
 from gripcourse.grading.submission_case import GradingCase, JudgedAnswer
+from gripcourse.grading.typed_density import unexplained
 from gripcourse.grading.unwritten import carried_here, unwritten_before
 from gripcourse.text.units import factor
 

@@ -2,27 +2,23 @@
 
 from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass, field
-from functools import lru_cache, partial
+from functools import lru_cache
 
 from gripcourse.course.check_slips import same_value
-from gripcourse.course.column_symbols import column_symbols, readers_of
+from gripcourse.course.column_symbols import readers_of
 from gripcourse.course.model import Catalogue
 from gripcourse.course.quantity import Kind, Quantity
 from gripcourse.formula.evaluate import Column
-from gripcourse.formula.plain import text
 from gripcourse.formula.tree import Formula, Node, names
-from gripcourse.formula.typeset import declared_symbol, symbol_box, typeset
 from gripcourse.policy.slips import GenericSlip, SlipKind, SlipPolicy
 from gripcourse.slips.ends import other_ends, taken_among
 from gripcourse.slips.generic import GENERATORS
+from gripcourse.slips.hints import Hint
 from gripcourse.slips.model import Candidate, SlipId
 from gripcourse.slips.practical import in_practical_units
-from gripcourse.slips.surroundings import Place, Rewritten, Surroundings
+from gripcourse.slips.surroundings import Rewritten, Surroundings
 from gripcourse.slips.taken import is_behind
 from gripcourse.solver.plan import Plan
-from gripcourse.text.number_text import format_number
-from gripcourse.text.units import known, unit_text
-from gripcourse.text.words import LANGUAGES, Texts
 
 _GENERIC = frozenset({Kind.FORMULA, Kind.PICK})
 # After these a result may measure something else: its number then depends on the units of the work.
@@ -123,7 +119,7 @@ def _made_of(declared: _Declared) -> tuple[Candidate, ...]:
             formula=slip.formula,
             prior=policy.declared,
             credit=slip.credit,
-            say=partial(_as_declared, slip.hint),
+            said=Hint(slip.hint, {}, {}, {}),
         )
         for slip in quantity.slips
     ]
@@ -169,57 +165,10 @@ def _of_kind(around: Surroundings, taken: set[Node]) -> Iterator[Candidate]:
             formula=Formula("", one.tree, around.formula.units),
             prior=slip.prior / len(new),
             credit=slip.credit,
-            say=partial(_hint, around.quantities, around.catalogues, slip, one.places),
+            said=Hint(slip.hint, one.places, around.quantities, around.catalogues, one.practical),
         )
 
 
 def _is_known(one: Rewritten, formula: Formula) -> bool:
     """An empirical formula computes only with names whose unit it states."""
     return not formula.units or set(names(one.tree)) <= formula.units.keys()
-
-
-def _as_declared(hint: Texts) -> Texts:
-    return hint
-
-
-def _hint(
-    quantities: Mapping[str, Quantity],
-    catalogues: Mapping[str, Catalogue],
-    slip: GenericSlip,
-    places: Mapping[str, Place],
-) -> Texts:
-    return Texts(
-        {
-            language: slip.hint.of(language).format(
-                **{
-                    name: _written(quantities, catalogues, place, language)
-                    for name, place in places.items()
-                }
-            )
-            for language in LANGUAGES
-        }
-    )
-
-
-def _written(
-    quantities: Mapping[str, Quantity],
-    catalogues: Mapping[str, Catalogue],
-    place: Place,
-    language: str,
-) -> str:
-    match place:
-        case Quantity():
-            symbol = text(declared_symbol(place.symbol.of(language)))
-            return f"{place.short_title.of(language)} ({symbol})"
-        case float():
-            return format_number(place, language)
-        case tuple():
-            return "; ".join(format_number(one, language) for one in place)
-        case str():
-            return unit_text(place, language) if place and known(place) else place or "1"
-        case _:
-            symbols = {
-                name: symbol_box(quantities[name].symbol.of(language)) for name in names(place)
-            }
-            columns = column_symbols(place, None, quantities, catalogues, language)
-            return text(typeset(place, symbols | columns, language))

@@ -146,9 +146,12 @@ def _is_of_angles(node: Node) -> bool:
 
 def _number_left_out(around: Surroundings) -> Iterator[Rewritten]:
     def literal(node: Node) -> Mapping[str, Place] | None:
-        if isinstance(node, Number):
-            return {"number": node.value}
-        return {"number": "π"} if node == Name("pi") else None
+        match node:
+            case Number(value) | Operation("**", Number(value), Number()):  # 2, and 1.4³
+                return {"number": value}
+            case Name("pi"):
+                return {"number": "π"}
+        return None
 
     yield from _left_out(around, literal, "*/")
 
@@ -181,23 +184,29 @@ def _multiplied_for_divided(around: Surroundings) -> Iterator[Rewritten]:
 
 def _power(around: Surroundings) -> Iterator[Rewritten]:
     def change(node: Node) -> Iterator[Found]:
-        place = f"{node.span[0]}"
-        match node:
-            case Operation("**", base, power):
-                yield base, (place, {})
-                if isinstance(power, Number) and power.value == _CUBED:
-                    yield Operation("**", base, number(2.0)), (f"{place},2", {})
-            case Call("sqrt", (body,)):
-                yield body, (place, {})
-            case Call("cbrt", (body,)):
-                yield Call("sqrt", (body,)), (place, {})
-                yield body, (f"{place},body", {})
-            case Call("hypot", (one, other)):
-                yield Operation("+", one, other), (place, {})
-            case Call("sin" | "cos" | "tan"):
-                yield Operation("**", node, number(2.0)), (place, {})
+        for other, end in _to_another_power(node):
+            yield other, (f"{node.span[0]}{end}", {"quantity": node, "other": other})
 
     yield from _each(around, change)
+
+
+def _to_another_power(node: Node) -> Iterator[tuple[Node, str]]:
+    """Yield a power or a root without it, or with another, and what the detail ends with."""
+    match node:
+        case Operation("**", base, power):
+            yield base, ""
+            if isinstance(power, Number) and power.value == _CUBED:
+                yield Operation("**", base, number(2.0)), ",2"
+        case Call("sqrt", (body,)):
+            yield body, ""
+            yield Call("cbrt", (body,)), ",cbrt"
+        case Call("cbrt", (body,)):
+            yield Call("sqrt", (body,)), ""
+            yield body, ",body"
+        case Call("hypot", (one, other)):
+            yield Operation("+", one, other), ""
+        case Call("sin" | "cos" | "tan"):
+            yield Operation("**", node, number(2.0)), ""
 
 
 def _swapped(around: Surroundings) -> Iterator[Rewritten]:

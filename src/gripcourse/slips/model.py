@@ -1,11 +1,12 @@
 """What a student may have computed instead of a formula."""
 
-from collections.abc import Callable
+from collections.abc import Iterable
 from dataclasses import dataclass, field
 from typing import Self
 
 from gripcourse.formula.tree import Formula
 from gripcourse.policy.slips import DECLARED
+from gripcourse.slips.hints import Hint
 from gripcourse.text.words import Texts
 
 __all__ = ["DECLARED", "NOT_STEPPED_UP", "USED", "Candidate", "SlipId"]
@@ -70,14 +71,14 @@ class Candidate:
         formula: what is computed instead, in the same declared unit.
         prior: how common it is, on the scale of the slip policy.
         credit: share of the points for an answer that it explains, 0…1.
-        say: puts the hint for the student into words; few of thousands are ever wanted.
+        said: the hint for the student, not yet in words.
     """
 
     id: SlipId
     formula: Formula
     prior: float
     credit: float
-    say: Callable[[], Texts] = field(compare=False)
+    said: Hint = field(compare=False)
 
     @property
     def kind(self) -> str:
@@ -87,4 +88,8 @@ class Candidate:
     @property
     def hint(self) -> Texts:
         """For the student, in each language."""
-        return self.say()
+        return self.said.say()
+
+    def hint_after(self, others: Iterable[Self]) -> Texts:
+        """For the student who has read the hints of others, of the same calculation."""
+        return self.said.say({name for one in others for name in one.said.introduced})

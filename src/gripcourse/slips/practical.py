@@ -5,8 +5,11 @@ should, and the number depends on the units of the work: 3600 square millimetres
 3600 mm, not as the 3.6 mm that 0.0036 square metres would be.
 """
 
+import math
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
+from fractions import Fraction
+from functools import lru_cache
 from typing import Final
 
 from gripcourse.formula.dimension import measured_by
@@ -16,10 +19,12 @@ from gripcourse.formula.rules import ColumnDimensions
 from gripcourse.formula.tree import Call, Name, Node, walk
 from gripcourse.slips.rewrite import everywhere, scaled
 from gripcourse.slips.surroundings import Rewritten, Surroundings
-from gripcourse.text.units import PLAIN, Dimension, dimension
+from gripcourse.text.units import PLAIN, Dimension, dimension, factor, unit_names
 
 # The mass that one newton accelerates by one millimetre a second each second is a tonne.
 _SIZES: Final[Mapping[str, float]] = {"length": 1e-3, "mass": 1e3}
+_COMPOUNDS: Final = ("N/mm", "N*mm/s", "t/mm**3")
+_SAME: Final = 1e-9  # relative: what floating point leaves of equal sizes
 
 
 def in_practical_units(around: Surroundings, made: Iterable[Rewritten]) -> Iterator[Rewritten]:
@@ -34,7 +39,7 @@ def in_practical_units(around: Surroundings, made: Iterable[Rewritten]) -> Itera
         else:
             tree = _times(one.tree, practical_ratio(asked, found))
         if tree != one.tree:
-            yield replace(one, detail=f"{one.detail},mm", tree=tree)
+            yield replace(one, detail=f"{one.detail},mm", tree=tree, practical=True)
 
 
 def _computed_practically(around: Surroundings, tree: Node) -> Node:
@@ -90,6 +95,37 @@ def practical_ratio(asked: Dimension, found: Dimension) -> float:
     for base, exponent in (asked / found).exponents:
         ratio *= _SIZES.get(base, 1.0) ** float(exponent)
     return ratio
+
+
+@lru_cache(maxsize=1024)
+def practical_unit(unit: str) -> str | None:
+    """Return the practical unit of what is declared in a unit: `mm/s**2` for `m/s**2`.
+
+    None where it has the size of the SI unit, as the newton, or no name that people know.
+    """
+    measured = dimension(unit)
+    size = practical_ratio(measured, PLAIN)
+    if size == 1.0:
+        return None
+    spelled = (unit, *unit_names(), *_COMPOUNDS, *_of_length_and_time(measured))
+    return next(
+        (
+            one
+            for one in spelled
+            if dimension(one) == measured and math.isclose(factor(one), size, rel_tol=_SAME)
+        ),
+        None,
+    )
+
+
+def _of_length_and_time(measured: Dimension) -> Iterator[str]:
+    """Yield a power of a millimetre, over a power of a second if there is one."""
+    powers = dict(measured.exponents)
+    lengths, seconds = powers.pop("length", Fraction(0)), -powers.pop("time", Fraction(0))
+    if powers or lengths < 1 or seconds < 0:
+        return
+    above = "mm" if lengths == 1 else f"mm**{lengths}"
+    yield above + ("" if not seconds else "/s" if seconds == 1 else f"/s**{seconds}")
 
 
 def _dimension_of(around: Surroundings, tree: Node) -> Dimension | None:

@@ -52,8 +52,13 @@ class Surroundings:
 
 @dataclass(frozen=True, slots=True)
 class Rewritten:
-    """A tree with one slip in it, and what fills the places of its hint."""
+    """A tree with one slip in it, and what fills the places of its hint.
+
+    Attributes:
+        practical: whether the tree gives what numbers in practical units come to, not those of SI.
+    """
 
     detail: str
     tree: Node
     places: Mapping[str, Place]
+    practical: bool = False
