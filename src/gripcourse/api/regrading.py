@@ -114,7 +114,12 @@ def apply_regrade(
 
 @refusals_said
 def undo_regrade(
-    gradebook: str | Path, *, by: str, why: str, allow_lower: bool = False
+    gradebook: str | Path,
+    *,
+    by: str,
+    why: str,
+    allow_lower: bool = False,
+    course: Course | None = None,
 ) -> "Regrade":
     """Take the last regrade back, by a new entry.
 
@@ -123,6 +128,7 @@ def undo_regrade(
         by: who takes it back.
         why: the reason, kept for good.
         allow_lower: whether results that students were told since may get worse.
+        course: that says which ids were joined as those of one person; None where none was.
 
     Raises:
         GripcourseError: no reason is given, there is nothing to take back, or a published result
@@ -132,7 +138,7 @@ def undo_regrade(
     from gripcourse.usecases.marks.regrade import undo_regrade as undo
 
     signed = Signed(by, datetime.now(UTC), why)
-    return undo(place_of(gradebook), signed, allow_lower=allow_lower)
+    return undo(place_of(gradebook), signed, joins_said_by(course), allow_lower=allow_lower)
 
 
 @refusals_said

@@ -118,12 +118,14 @@ def undo(
 ) -> None:
     """Take the last regrade back; it stays on record."""
     from gripcourse.gradebook.journal import Signed
+    from gripcourse.usecases.marks.opening import register_of
     from gripcourse.usecases.marks.regrade import undo_regrade
 
     words = words_for(language)
-    place = gradebook_place(gradebook, course_folder(course))
+    root = course_folder(course)
+    place, joins = gradebook_place(gradebook, root), register_of(root).joins
     signed = Signed(by or getpass.getuser(), datetime.now(UTC), why)
-    done = undo_regrade(place, signed, allow_lower=allow_lower)
+    done = undo_regrade(place, signed, joins, allow_lower=allow_lower)
     confirm(regrade_text.undone_text(done, words))
 
 

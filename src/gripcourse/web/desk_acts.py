@@ -153,8 +153,8 @@ def apply_shown(
 
 def take_last_back(site: Site, signed: Signed, *, allow_lower: bool) -> Regrade | WebRefusal:
     """Take the last regrade that stands back."""
-    place = home_of(site.context.course.root)
-    return unless_in_conflict(lambda: undo_regrade(place, signed, allow_lower=allow_lower))
+    place, joins = home_of(site.context.course.root), site.context.joins()
+    return unless_in_conflict(lambda: undo_regrade(place, signed, joins, allow_lower=allow_lower))
 
 
 def signed_by(site: Site, by: str, why: str) -> Signed:

@@ -70,6 +70,22 @@ def test_what_was_published_under_the_second_id_changes_by_a_regrade_alone(
     assert office.grade(works["s03"])[0].score == alone.score
 
 
+def test_what_a_person_was_told_of_a_regrade_is_not_taken_back_silently_after_the_joining(
+    office: Office, works: dict[str, Path]
+) -> None:
+    """The person was told the better result under the second id."""
+    stricter(office)
+    office.grade(works["s03"])
+    office.policy = None
+    office.apply(office.regrade(works["s03"]))
+    office.publish()
+    office.join()
+    joins = register_of(office.root).joins
+    with pytest.raises(UsageError, match="published to s01, who would get"):
+        undo_regrade(office.place, office.signed(), joins)
+    assert undo_regrade(office.place, office.signed(), joins, allow_lower=True).undoes == 1
+
+
 def test_taken_back_it_is_the_publication_of_the_second_id_again(
     office: Office, works: dict[str, Path]
 ) -> None:

@@ -185,12 +185,15 @@ def apply_regrade(
     return keep_regrade(book, [one.new for one in regrading.to_apply], signed)
 
 
-def undo_regrade(place: str, signed: Signed, *, allow_lower: bool = False) -> Regrade:
+def undo_regrade(
+    place: str, signed: Signed, joins: tuple[Join, ...] = (), *, allow_lower: bool = False
+) -> Regrade:
     """Take the last regrade that stands back, by a new entry.
 
     Args:
         place: of the gradebook.
         signed: who takes it back, when and why.
+        joins: which ids stand for one person, oldest first.
         allow_lower: whether results that students were told since it was applied may get worse.
 
     Raises:
@@ -199,13 +202,14 @@ def undo_regrade(place: str, signed: Signed, *, allow_lower: bool = False) -> Re
             get worse.
     """
     _demand_reason(signed)
-    lowered = [] if allow_lower else _lowered_without_the_last(existing_gradebook(place))
+    book = existing_gradebook(place, joins)
+    lowered = [] if allow_lower else _lowered_without_the_last(book)
     if lowered:
         remedy = message(
             "Nothing was changed. Let the regrade stand, or say that it may get worse."
         )
         raise UsageError(_worse(*one, remedy) for one in lowered)
-    done = keep_undoing(existing_gradebook(place), signed)
+    done = keep_undoing(book, signed)
     if not done:
         what = message("No regrade stands that could be taken back.")
         remedy = message("Leave it: what was graded counts already.")
@@ -224,8 +228,8 @@ def _lowered_without_the_last(book: Gradebook) -> list[tuple[str, PointSums, Poi
         return []
     last, undone = stands[-1].number, book.undone()
     attempts = book.attempts({one.student for one in told})
-    kept_by_it = {(one.student, one.number) for one in attempts if one.regrade == last}
-    keys = told_works((one for one in told if (one.student, one.attempt) in kept_by_it), attempts)
+    kept_by_it = {one.key for one in attempts if one.regrade == last}
+    keys = told_works((one for one in told if one.key in kept_by_it), attempts)
     if not keys:
         return []
     marked = _marked(book, {student for student, _ in keys})
