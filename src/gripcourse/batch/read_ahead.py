@@ -12,6 +12,7 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Final
 
 from gripcourse.machine.content import Readable, shown_name
+from gripcourse.machine.jobs.pools import FORKED
 from gripcourse.machine.jobs.room import start_if_there_is_room
 from gripcourse.machine.jobs.workers import run_each
 from gripcourse.machine.shelf import Shelf, ShelfPlace, fetched
@@ -78,13 +79,15 @@ class WorksAhead:
 def reading_ahead(files: Sequence[Readable], workers: int) -> Iterator[WorksAhead]:
     """Read works, in their order, until somebody wants to know how far it is.
 
+    Where workers are no forks nothing is read: they begin when the course is there already.
+
     Args:
         files: of the batch.
         workers: how many processes will judge; all but one of them read, for one processor is busy
             with the course. 0 for nothing to be read ahead.
     """
     ahead = WorksAhead(files)
-    if files and workers:
+    if files and workers and FORKED:
         thread = threading.Thread(target=_read, args=(ahead, workers), daemon=True)
         ahead.reading.append(thread)
         start_if_there_is_room(thread)

@@ -48,6 +48,9 @@ OpenExecutor: TypeAlias = Callable[[int, Initializer, tuple[Any, ...]], Executin
 NOT_STARTED: Final = (BrokenExecutor, OSError, EOFError)
 """What giving a job to a worker raises where workers have died, or what they are forks of has."""
 
+FORKED: Final = sys.platform == "linux"
+"""Whether workers of this machine are forks, which begin at once."""
+
 _MOST_ON_WINDOWS = 61  # handles that it can wait for at a time
 
 
@@ -106,7 +109,7 @@ def _context(*modules: str) -> BaseContext:
     workers are forks of a fresh interpreter that has no threads, and has imported some modules and
     what this process has by then: half a second less for each worker.
     """
-    if sys.platform != "linux":
+    if not FORKED:
         return _spawning()
     from multiprocessing.forkserver import ensure_running  # noqa: PLC0415 (exists on Unix only)
 
