@@ -26,7 +26,7 @@ class Graded:
 
 
 _NEWEST: Final = pickle.HIGHEST_PROTOCOL
-_STAY: Final = 2000  # in memory, without their findings: two kilobytes each
+_STAY: Final = 1000  # in memory, without their findings: two kilobytes each
 
 Changes: TypeAlias = Iterable[tuple[int, Report]]
 """Reports that stand in the place of others, with their places in the batch."""
