@@ -22,6 +22,7 @@ from urllib.request import urlopen
 
 from PIL import Image
 from selenium import webdriver
+from selenium.common.exceptions import WebDriverException
 from selenium.webdriver.common.by import By
 from selenium.webdriver.support.expected_conditions import staleness_of
 from selenium.webdriver.support.wait import WebDriverWait
@@ -110,7 +111,10 @@ class Camera:
         """Press what a selector finds; return when another page has taken the place of this one."""
         found = self.window.find_element(By.CSS_SELECTOR, what)
         found.click()
-        WebDriverWait(self.window, SECONDS).until(staleness_of(found))
+        # At the change itself the browser may call the element nobody's, and gone a moment later.
+        WebDriverWait(self.window, SECONDS, ignored_exceptions=[WebDriverException]).until(
+            staleness_of(found)
+        )
 
     def take(self, name: str, size: tuple[int, int]) -> None:
         """Write a picture of what the window shows, of few colours."""
