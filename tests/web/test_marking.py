@@ -157,7 +157,7 @@ def test_that_told_results_may_get_worse_is_said_at_the_desk_too(
 ) -> None:
     asked = list[bool]()
 
-    def take_back(_place: str, signed: Signed, *, allow_lower: bool) -> Regrade:
+    def take_back(_: str, signed: Signed, __: object, *, allow_lower: bool) -> Regrade:
         asked.append(allow_lower)
         return Regrade(2, 1, signed)
 
