@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Final
 from gripcourse.batch.context import GradingContext
 from gripcourse.batch.graded import Graded
 from gripcourse.batch.one_file import grade_file
+from gripcourse.cli.demo.students import correct
 from gripcourse.gradebook.enter import Draft
 from gripcourse.gradebook.journal import Published, Signed
 from gripcourse.gradebook.model import Attempt
@@ -22,13 +23,23 @@ from gripcourse.usecases.marks.mark import enter_mark, existing_gradebook, item_
 from gripcourse.usecases.marks.opening import open_grading, register_of
 from gripcourse.usecases.marks.regrade import Regrading, apply_regrade, publish, regrade
 from gripcourse.usecases.marks.withdraw import Withdrawn, withdraw
+from support.classroom import forget_one_jaw
 
 if TYPE_CHECKING:
     from gripcourse.policy.model import Policy
+    from support.classroom import Classroom
 
 NOW: Final = datetime(2026, 12, 2, 9, tzinfo=UTC)
 DRAWING: Final = "general_view_drawing"
 _NO_TIMES: Final[Mapping[str, HandingTime]] = MappingProxyType({})
+
+
+def two_works(issued: "Classroom", folder: Path) -> dict[str, Path]:
+    """Hand in a faultless work of s01, and one of s03 with an early slip."""
+    return {
+        "s01": issued.hand_in("s01", correct, folder / "s01.xlsx"),
+        "s03": issued.hand_in("s03", forget_one_jaw, folder / "s03.xlsx"),
+    }
 
 
 class Office:

@@ -7,17 +7,16 @@ from typing import TYPE_CHECKING
 
 import pytest
 
-from gripcourse.cli.demo.students import correct
 from gripcourse.errors import NextStep, UsageError
 from gripcourse.gradebook.journal import published_works
 from gripcourse.grading.model import FlagCode
 from gripcourse.policy.time_rules import AttemptRule, Counts, LateRule
+from gripcourse.usecases.marks.batch_wish import BatchWish
 from gripcourse.usecases.marks.handed_in import HandingTime
 from gripcourse.usecases.marks.mark import existing_gradebook
-from gripcourse.usecases.marks.opening import register_of
+from gripcourse.usecases.marks.opening import as_wished, register_of
 from gripcourse.usecases.marks.regrade import undo_regrade
-from support.classroom import forget_one_jaw
-from support.office import DRAWING, Office
+from support.office import DRAWING, Office, two_works
 
 if TYPE_CHECKING:
     from support.classroom import Classroom
@@ -25,12 +24,7 @@ if TYPE_CHECKING:
 
 @pytest.fixture(scope="module")
 def works(issued: "Classroom", tmp_path_factory: pytest.TempPathFactory) -> dict[str, Path]:
-    """A faultless work of s01, and one of s03 with an early slip."""
-    folder = tmp_path_factory.mktemp("inbox")
-    return {
-        "s01": issued.hand_in("s01", correct, folder / "s01.xlsx"),
-        "s03": issued.hand_in("s03", forget_one_jaw, folder / "s03.xlsx"),
-    }
+    return two_works(issued, tmp_path_factory.mktemp("inbox"))
 
 
 def stricter(office: Office) -> None:
@@ -259,6 +253,8 @@ def test_a_row_of_deadlines_for_either_id_is_the_persons(
     late(office)
     office.grade(works["s03"])
     office.join()
+    # A row for nobody would be refused.
+    as_wished(BatchWish(), [works["s03"]], office.context, office.place, 0)
     (report,) = office.grade(works["s03"])
     assert report.timing is not None
     assert report.timing.deadline is not None

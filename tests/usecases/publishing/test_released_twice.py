@@ -6,15 +6,13 @@ from typing import TYPE_CHECKING
 
 import pytest
 
-from gripcourse.cli.demo.students import correct
 from gripcourse.exports.grades import grades_text
 from gripcourse.machine.database.home import home_of
 from gripcourse.text.words import Words
 from gripcourse.usecases.grading.batch_tables import GRADES_CSV, GRADES_JSON, json_text
 from gripcourse.usecases.publishing.publish import publish, published_to
 from gripcourse.usecases.serving.desk import DeskContext, open_context
-from support.classroom import forget_one_jaw
-from support.office import Office
+from support.office import Office, two_works
 
 if TYPE_CHECKING:
     from support.classroom import Classroom
@@ -51,11 +49,7 @@ def release(issued: "Classroom", tmp_path: Path) -> Release:
 
 @pytest.fixture(scope="module")
 def works(issued: "Classroom", tmp_path_factory: pytest.TempPathFactory) -> dict[str, Path]:
-    folder = tmp_path_factory.mktemp("inbox")
-    return {
-        "s01": issued.hand_in("s01", correct, folder / "s01.xlsx"),
-        "s03": issued.hand_in("s03", forget_one_jaw, folder / "s03.xlsx"),
-    }
+    return two_works(issued, tmp_path_factory.mktemp("inbox"))
 
 
 def test_what_was_released_while_two_were_joined_goes_with_the_work(

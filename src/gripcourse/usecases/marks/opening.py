@@ -116,7 +116,8 @@ def as_wished(
         check_gradebook(place)
         context = with_kept_versions(context, place)
         # Read again where they are needed. A row for nobody would make somebody late, silently.
-        people = [one.student for one in context.register.values()]
+        entries = context.register.values()
+        people = [person for one in entries for person in (one.student, *one.joined)]
         course_deadlines(context.course.root, late, people)
     return context, times
 
