@@ -190,10 +190,9 @@ def _kept(
         timings = timings_by_policy(policy, works[name], marks, deadline, waived)
         if timings:
             entered = [replace(one, timing=timings.get(one.digest)) for one in entered]
-            of_digest = {one.digest: one for one in works[name]}
             doubts = [
                 doubts_about_time(
-                    of_digest.get(one.digest),
+                    of_file.get(one.digest),
                     keeping.times.get(one.file),
                     keeping.context,
                     deadline,
