@@ -6,7 +6,8 @@ import pytest
 
 from gripcourse.batch import copies as alike
 from gripcourse.batch.context import GradingContext
-from gripcourse.batch.copies import like_others
+from gripcourse.batch.copies import like_others, with_alike
+from gripcourse.batch.graded import Graded
 from gripcourse.documents.report.student import student_values
 from gripcourse.exports.grades import grades_text
 from gripcourse.grading.judge import judge
@@ -59,8 +60,10 @@ def codes(report: Report) -> set[str]:
 
 def like(reports: list[Report], context: GradingContext) -> tuple[list[Report], str]:
     """All reports as they are after the comparison, and what failed."""
-    changes, trace = like_others(reports, context)
-    return list((dict(enumerate(reports)) | dict(changes)).values()), trace
+    found = like_others(reports, context)
+    batch = [Graded(one, "") for one in reports]
+    compared = with_alike(batch, found, reports)
+    return [one.report for one in compared], "".join(one.incident for one in compared)
 
 
 def test_a_copied_workbook_is_flagged_and_the_honest_ones_are_not(

@@ -315,6 +315,7 @@ class Course:
             GripcourseError: a path does not exist, or the register or gradebook cannot be used. The
                 faults of a submission are in its report.
         """
+        from gripcourse.batch.comparing import comparing_apart
         from gripcourse.batch.graded import reports_of
         from gripcourse.usecases.grading.batch_tables import batch_result
         from gripcourse.usecases.grading.grade import grade, write_results
@@ -334,9 +335,11 @@ class Course:
         place = None if gradebook is None else place_of(gradebook)
         course = grading_of(self.definition, self.policy)
         context, times = as_wished(wish, sources, course, place, workers)
-        graded = grade(sources, context, workers, on_done)
-        if place is not None:
-            graded = keep(graded, context, place, datetime.now(UTC), times)
+        with comparing_apart(context, None) as comparing:
+            graded = grade(sources, context, workers, on_done, comparing=comparing)
+            if place is not None:
+                graded = keep(graded, context, place, datetime.now(UTC), times)
+            graded = comparing.entered(graded)
         reports = reports_of(graded)
         if folder is not None:
             reports = write_results(

@@ -4,11 +4,10 @@ import traceback
 from array import array
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from gripcourse.batch.context import GradingContext
-from gripcourse.batch.duplicates import with_flags
-from gripcourse.batch.graded import Changes, changed_where
+from gripcourse.batch.graded import Changes, Graded, changed, reports_of, with_reports
 from gripcourse.batch.kept_reports import FlagsOf, KeptReports
 from gripcourse.grading.made_for import versions_of
 from gripcourse.grading.model import Report
@@ -24,37 +23,66 @@ from gripcourse.variants.model import Issued, Variant
 from gripcourse.workbook.names import AUTHOR
 
 
+@dataclass(frozen=True, slots=True)
+class Alike:
+    """What comparing a batch comes to.
+
+    Attributes:
+        flags: of submissions that hold another student's numbers, by student.
+        trace: of what failed on our side, empty for nothing: grading is never lost for it.
+    """
+
+    flags: FlagsOf
+    trace: str = ""
+
+
 def like_others(
     reports: Sequence[Report], context: GradingContext, kept: KeptReports | None = None
-) -> tuple[Changes, str]:
-    """Flag the submissions that hold another student's numbers.
+) -> Alike:
+    """Find the submissions that hold another student's numbers.
 
     Args:
         reports: of the batch.
         context: the course, its policy, the register.
         kept: what an earlier run found out; None for nothing.
-
-    Returns:
-        The flagged reports, and the trace of what failed on our side (empty for nothing): grading
-        is never lost for it.
     """
 
     def find() -> FlagsOf:
         return flags_by_student(evidence_of(reports, context, kept), _titles(context))
 
     try:
-        flags = find() if kept is None else kept.flags_of(reports, find)
+        return Alike(find() if kept is None else kept.flags_of(reports, find))
     except Exception:  # noqa: BLE001 (ours: the marks stand without this evidence)
-        return (), f"looking for likeness:\n{traceback.format_exc()}"
-    return (changed_where(reports, _flagged(flags)) if flags else ()), ""
+        return Alike({}, f"looking for likeness:\n{traceback.format_exc()}")
 
 
-def _flagged(flags: FlagsOf) -> Callable[[Report], Report]:
-    def flagged(report: Report) -> Report:
-        mine = flags.get(report.student, ())
-        return with_flags(report, mine) if report.judged else report
+def with_alike(
+    graded: Sequence[Graded], alike: Alike, compared: Sequence[Report]
+) -> Sequence[Graded]:
+    """Return a batch with what comparing it came to; what failed stands with the first file.
 
-    return flagged
+    Args:
+        graded: the batch.
+        alike: what comparing came to.
+        compared: the reports as they were compared: what somebody has said of them since stands
+            after it.
+    """
+    if alike.flags:
+        graded = with_reports(graded, _flagged(reports_of(graded), alike.flags, compared))
+    if not alike.trace or not graded:
+        return graded
+    first = graded[0]
+    return changed(graded, [(0, replace(first, incident=first.incident + alike.trace))])
+
+
+def _flagged(reports: Sequence[Report], flags: FlagsOf, compared: Sequence[Report]) -> Changes:
+    for number, report in enumerate(reports):
+        mine = flags.get(report.student, ()) if report.judged else ()
+        if mine:
+            before = compared[number].flags
+            kept = tuple(one for one in report.flags if one in before)
+            since = (one for one in report.flags if one not in before)
+            yield number, replace(report, flags=(*kept, *mine, *since))
 
 
 def evidence_of(

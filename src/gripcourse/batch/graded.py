@@ -2,7 +2,7 @@
 
 import pickle
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import Final, TypeAlias
 
 from gripcourse.grading.folded import ReportShelf
@@ -32,18 +32,25 @@ Changes: TypeAlias = Iterable[tuple[int, Report]]
 """Reports that stand in the place of others, with their places in the batch."""
 
 
+@dataclass(frozen=True, slots=True, eq=False)
+class _Folding:
+    """How what a file came to lies on a shelf, and its findings on another one."""
+
+    shelf: ReportShelf = field(default_factory=ReportShelf)
+
+    def dump(self, one: Graded) -> bytes:
+        plain = self.shelf.plain(one.report)
+        return pickle.dumps((one.incident, one.taken_over, *plain), _NEWEST)
+
+    def load(self, packed: bytes) -> Graded:
+        incident, taken_over, *plain = pickle.loads(packed)  # noqa: S301 (written above)
+        return Graded(self.shelf.report(tuple(plain)), incident, taken_over)
+
+
 def on_a_shelf(graded: Iterable[Graded] = ()) -> Shelved[Graded]:
     """Put what files came to on a shelf; each is loaded anew by who asks for it."""
-    shelf = ReportShelf()
-
-    def dump(one: Graded) -> bytes:
-        return pickle.dumps((one.incident, one.taken_over, *shelf.plain(one.report)), _NEWEST)
-
-    def load(packed: bytes) -> Graded:
-        incident, taken_over, *plain = pickle.loads(packed)  # noqa: S301 (written above)
-        return Graded(shelf.report(tuple(plain)), incident, taken_over)
-
-    return Shelved(graded, dump=dump, load=load, stay=_STAY)
+    folding = _Folding()
+    return Shelved(graded, dump=folding.dump, load=folding.load, stay=_STAY)
 
 
 def reports_of(graded: Sequence[Graded]) -> Sequence[Report]:
@@ -54,9 +61,15 @@ def reports_of(graded: Sequence[Graded]) -> Sequence[Report]:
 def with_reports(graded: Sequence[Graded], changes: Changes) -> Shelved[Graded]:
     """Return the same batch with some other reports."""
     before = graded if isinstance(graded, Shelved) else on_a_shelf(graded)
-    return before.with_changes(
-        (number, replace(before[number], report=report)) for number, report in changes
+    return changed(
+        before, ((number, replace(before[number], report=report)) for number, report in changes)
     )
+
+
+def changed(graded: Sequence[Graded], changes: Iterable[tuple[int, Graded]]) -> Shelved[Graded]:
+    """Return the same batch where some files came to something else."""
+    before = graded if isinstance(graded, Shelved) else on_a_shelf(graded)
+    return before.with_changes(changes)
 
 
 def changed_where(

@@ -7,11 +7,11 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any, TypeAlias
 
+from gripcourse.batch.comparing import Comparing
 from gripcourse.batch.context import GradingContext, handed_in_by, likely_composition
-from gripcourse.batch.copies import like_others, solve_ahead
 from gripcourse.batch.doubts import in_doubt
 from gripcourse.batch.duplicates import doubles
-from gripcourse.batch.graded import Graded, on_a_shelf, reports_of, with_reports
+from gripcourse.batch.graded import Graded, reports_of, with_reports
 from gripcourse.batch.kept_reports import KeptReports
 from gripcourse.batch.read_ahead import WorkRead, WorksAhead
 from gripcourse.batch.second_look import made_by_office, needs_second_look
@@ -70,6 +70,7 @@ def grade_files(  # noqa: PLR0913 (the last ones are what everybody leaves as th
     pool: Pool = PROCESSES,
     wanted: Sequence[Derivation[Any]] = (),
     ahead: WorksAhead | None = None,
+    comparing: Comparing | None = None,
 ) -> Sequence[Graded]:
     """Grade files in parallel; the result is in the order of the files.
 
@@ -88,12 +89,16 @@ def grade_files(  # noqa: PLR0913 (the last ones are what everybody leaves as th
         pool: kind of workers.
         wanted: what will be asked of the findings of each, derived where they are made.
         ahead: what was read of these files before; None for nothing.
+        comparing: begins to compare the files when they are graded, for who does something with
+            them meanwhile and enters then what it comes to; None to enter it here.
     """
     job = _Job(context, grade_one, tuple(wanted))
-    meanwhile = iter(()) if kept is None else solve_ahead(context, kept)
-    grading = _Grading(files, job, workers, seconds, pool, kept, on_done, meanwhile, ahead)
-    alone = on_a_shelf().filled(len(files), grading.each())
-    return compared(alone.with_changes(grading.again(alone)), context, kept)
+    here = Comparing(context, kept) if comparing is None else comparing
+    grading = _Grading(files, job, workers, seconds, pool, kept, on_done, here, ahead)
+    alone = here.batch.filled(len(files), grading.each())
+    apart = set_apart(alone.with_changes(grading.again(alone)))
+    here.begin(apart)
+    return apart if comparing is not None else here.entered(apart)
 
 
 @dataclass(frozen=True, slots=True)
@@ -101,7 +106,7 @@ class _Grading:
     """Grading single files of a batch, each for itself; see `grade_files`.
 
     Attributes:
-        meanwhile: what this process does while workers judge, a part at each step.
+        comparing: gets ready to compare the files while workers judge them.
         ahead: what was read of the files before; None for nothing.
         open: places of the files that LibreOffice could make more of.
     """
@@ -113,7 +118,7 @@ class _Grading:
     pool: Pool
     kept: KeptReports | None
     on_done: Callable[[Readable], None]
-    meanwhile: Iterator[None]
+    comparing: Comparing
     ahead: WorksAhead | None = None
     open: "array[int]" = field(default_factory=lambda: array("q"))
 
@@ -126,6 +131,7 @@ class _Grading:
             yield number, self._graded(number, before, taken_over=True)
             self.on_done(self.files[number])
         left = array("q", (number for number, one in enumerate(is_known) if not one))
+        meanwhile = self.comparing.prepared(len(left), self.workers)
         jobs = run_each(
             _grade, Viewed(left, self._work), self.job, workers=self.workers,
             seconds=self.seconds, pool=self.pool, send=_travelling, together=_TOGETHER,
@@ -139,7 +145,7 @@ class _Grading:
             _log.info("graded %s", shown(shown_name(self.files[number])))
             self.on_done(self.files[number])
             if done < len(left):
-                next(self.meanwhile, None)
+                next(meanwhile, None)
 
     def _work(self, number: int) -> Readable | WorkRead:
         return self.files[number] if self.ahead is None else self.ahead.work(number)
@@ -240,14 +246,18 @@ def compared(
 
     What fails on our side while they are compared stands with the first file.
     """
+    comparing, apart = Comparing(context, kept), set_apart(graded)
+    comparing.begin(apart)
+    return comparing.entered(apart)
+
+
+def set_apart(graded: Sequence[Graded]) -> Sequence[Graded]:
+    """Flag the files of a batch that belong together.
+
+    Before that, whoever only took a student's name beside the student's own work is nobody.
+    """
     graded = with_reports(graded, in_doubt(reports_of(graded)))
-    graded = with_reports(graded, doubles(reports_of(graded)))
-    likeness, trace = like_others(reports_of(graded), context, kept)
-    graded = with_reports(graded, likeness)
-    if not trace or not graded:
-        return graded
-    first = graded[0]
-    return graded.with_changes([(0, replace(first, incident=first.incident + trace))])
+    return with_reports(graded, doubles(reports_of(graded)))
 
 
 def incident_number(trace: str) -> str:

@@ -212,6 +212,7 @@ def _grade_anew(begun: "Beginning", order: _Order, manner: _Manner, ahead: "Work
 
 def _written(begun: "Beginning", order: _Order, manner: _Manner, ahead: "WorksAhead") -> _Graded:
     """Grade a batch, keep it and write its results."""
+    from gripcourse.batch.comparing import comparing_apart
     from gripcourse.machine.files import make_private_folder
     from gripcourse.machine.jobs.cluster import open_workers
     from gripcourse.usecases.grading import grade as command
@@ -239,9 +240,13 @@ def _written(begun: "Beginning", order: _Order, manner: _Manner, ahead: "WorksAh
     ):
         tick = step(words.say(message("Grading")), len(files))
         read = ahead.ended()
-        graded = command.grade(files, context, hands, lambda _: tick(), earlier, pool, ahead=read)
-        now = datetime.now(UTC)
-        graded = keep(graded, context, place, now, times)
+        with comparing_apart(context, None if earlier is None else earlier.reports) as comparing:
+            graded = command.grade(
+                files, context, hands, lambda _: tick(), earlier, pool,
+                ahead=read, comparing=comparing,
+            )  # fmt: skip
+            now = datetime.now(UTC)
+            graded = comparing.entered(keep(graded, context, place, now, times))
         note_batch(place, context.course.id, len(graded), manner.by, manner.why, now)
         if not order.grades_only:
             tick = step(words.say(message("Writing reports")), len(files))

@@ -13,7 +13,7 @@ from array import array
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from threading import Lock
-from typing import IO, Any, Final, Generic, TypeVar, overload
+from typing import IO, Any, Final, Generic, TypeAlias, TypeVar, overload
 
 _Value = TypeVar("_Value")
 _Of = TypeVar("_Of")
@@ -140,6 +140,10 @@ def _lying_there(sizes: "array[int]", whole: bytes) -> Lying:
     return found
 
 
+Places: TypeAlias = tuple["array[int]", "array[int]", dict[int, bytes]]
+"""Where values lie on a shelf: starts and sizes, and the bytes of those that stayed in memory."""
+
+
 class Shelved(Sequence[_Value], Generic[_Value]):
     """Values on a shelf: each is loaded anew whenever somebody asks for it.
 
@@ -193,6 +197,15 @@ class Shelved(Sequence[_Value], Generic[_Value]):
         return Shelved(
             dump=self._dump, load=self._load, lying=lying, stay=self._stay, loaded=self._loaded
         )
+
+    @property
+    def places(self) -> "Places":
+        """Where the values lie on their shelf, for another process that has a part in it."""
+        return self._lying.starts, self._lying.sizes, self._lying.held
+
+    def at(self, places: "Places") -> "Shelved[_Value]":
+        """Return what lies at places of the same shelf."""
+        return self._with(Lying(self._lying.shelf, *places), ())
 
     def __len__(self) -> int:
         return len(self._lying.starts)

@@ -5,6 +5,7 @@ from dataclasses import dataclass, field, replace
 from datetime import date
 from pathlib import Path
 
+from gripcourse.batch.comparing import Comparing
 from gripcourse.batch.context import GradingContext
 from gripcourse.batch.graded import Graded, reports_of, with_reports
 from gripcourse.batch.read_ahead import WorksAhead
@@ -91,6 +92,7 @@ def grade(  # noqa: PLR0913 (the last ones are what nearly everybody leaves as t
     pool: Pool = PROCESSES,
     *,
     ahead: WorksAhead | None = None,
+    comparing: Comparing | None = None,
 ) -> Sequence[Graded]:
     """Grade files, but for those that an earlier run graded; see `batch.run.grade_files`."""
     kept = None if earlier is None else earlier.reports
@@ -98,8 +100,9 @@ def grade(  # noqa: PLR0913 (the last ones are what nearly everybody leaves as t
     # What the gradebook, the search for likeness and the tables ask of every work.
     wanted = (RESULTS, RESULTS_DIGEST, TYPED, FOUND, said_in(context.course.language))
     return grade_files(
-        files, context, count, on_done, kept=kept, pool=pool, wanted=wanted, ahead=ahead
-    )
+        files, context, count, on_done, kept=kept, pool=pool, wanted=wanted, ahead=ahead,
+        comparing=comparing,
+    )  # fmt: skip
 
 
 def write_results(  # noqa: PLR0913 (the last is what everybody leaves as it is)
