@@ -27,6 +27,7 @@ from gripcourse.policy.load import load_policy
 from gripcourse.simulation.cohort import make_classroom
 from gripcourse.simulation.in_memory import judge_one
 from gripcourse.simulation.mix import load_mix
+from gripcourse.usecases.grading import cohort_print
 from gripcourse.usecases.grading import grade as command
 from gripcourse.usecases.grading.student_reports import Printing
 from gripcourse.usecases.marks.gradebook import keep
@@ -132,7 +133,7 @@ def run(folder: Path, size: int) -> None:
     with tempfile.TemporaryDirectory() as name:
         graded = keep(graded, context, f"{name}/gradebook.sqlite", datetime.now(UTC))
         parts.append(f"{peak():.0f} in the gradebook")
-        command.cohort_pdf = cohort_page  # type: ignore[assignment,attr-defined]
+        cohort_print.cohort_pdf = cohort_page  # type: ignore[assignment,attr-defined]
         day = date(2026, 12, 1)
         out = Path(name) / "out"
         command.write_results(graded, context, out, day, 0, lambda _: None, lay_out=page)

@@ -88,7 +88,7 @@ def test_all_exports_are_the_same(
 ) -> None:
     monkeypatch.syspath_prepend(str(Path(__file__).parent / "grading"))
     fake = importlib.import_module("fake_documents")
-    monkeypatch.setattr("gripcourse.usecases.grading.grade.cohort_pdf", fake.cohort_page)
+    monkeypatch.setattr("gripcourse.usecases.grading.cohort_print.cohort_pdf", fake.cohort_page)
     in_file = term(str(tmp_path / "gradebook.sqlite"), graded, issued, tmp_path / "file")
     assert in_file == term(away, graded, issued, tmp_path / "server")
     assert "Петров" in in_file[-1].decode()
@@ -122,7 +122,7 @@ def test_a_batch_that_is_killed_at_any_commit_ends_as_one_that_is_not(
 ) -> None:
     monkeypatch.syspath_prepend(str(Path(__file__).parent / "grading"))
     fake = importlib.import_module("fake_documents")
-    monkeypatch.setattr("gripcourse.usecases.grading.grade.cohort_pdf", fake.cohort_page)
+    monkeypatch.setattr("gripcourse.usecases.grading.cohort_print.cohort_pdf", fake.cohort_page)
     monkeypatch.setattr("gripcourse.usecases.marks.gradebook._STUDENTS_AT_ONCE", 1)
     whole = term(str(tmp_path / "whole.sqlite"), graded, issued, tmp_path / "whole")
     place = str(tmp_path / "killed.sqlite")

@@ -173,7 +173,7 @@ def test_what_has_names_or_marks_is_for_its_owner_alone(
     moodle_questions(issued.course, issued.order.table, ["001"], out / "q.xml", Words("en"))
     linked(issued.register["s01"], out)
     take_one(CheckLedger(out / "ledger", "s01"), 3)
-    monkeypatch.setattr("gripcourse.usecases.grading.grade.cohort_pdf", lambda *_: pdf)
+    monkeypatch.setattr("gripcourse.usecases.grading.cohort_print.cohort_pdf", lambda *_: pdf)
     graded, day = [Graded(report, "")], NOW.date()
     write_results(
         graded, issued.context, out / "graded", day, 0, lambda _: None, lay_out=lambda *_: pdf

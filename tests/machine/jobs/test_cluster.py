@@ -135,7 +135,7 @@ def story(
         pytest.MonkeyPatch.context() as patch,
         dask_cluster(folder, (HERE, USE_CASES), 2) as cluster,
     ):
-        patch.setattr("gripcourse.usecases.grading.grade.cohort_pdf", fake.cohort_page)
+        patch.setattr("gripcourse.usecases.grading.cohort_print.cohort_pdf", fake.cohort_page)
         yield happened(batch, errands, cluster, patch)
 
 

@@ -7,6 +7,7 @@ from datetime import UTC, date, datetime
 from pathlib import Path
 from zoneinfo import ZoneInfo
 
+from gripcourse.usecases.grading import cohort_print
 from gripcourse.usecases.grading import grade as command
 from gripcourse.usecases.grading.collect import collect
 from gripcourse.usecases.grading.unchanged import open_earlier
@@ -31,7 +32,7 @@ def say(word: str) -> Callable[[object], None]:
 def main() -> None:
     """Grade `works` into `out`, in the folder that the process works in."""
     fake = importlib.import_module("fake_documents")
-    command.cohort_pdf = fake.cohort_page  # type: ignore[attr-defined]
+    cohort_print.cohort_pdf = fake.cohort_page  # type: ignore[attr-defined]
     root, out = Path("course"), Path("out")
     versions = versions_of(root)
     context = open_grading(root)

@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     from support.classroom import Classroom
 
 GRADED_ON = date(2026, 12, 2)
-COHORT = "gripcourse.usecases.grading.grade.cohort_pdf"
+COHORT = "gripcourse.usecases.grading.cohort_print.cohort_pdf"
 # What goes wrong with whose report, in one batch: the others have theirs, whatever it is.
 FATES = {"s02": "refused", "s05": "died", "s06": "exhausted"}
 LUCKY = {"s01", "s03", "s04"}

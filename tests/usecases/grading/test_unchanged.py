@@ -127,7 +127,7 @@ def fake() -> Iterator[ModuleType]:
     with pytest.MonkeyPatch.context() as patch:
         patch.syspath_prepend(str(HERE))
         found = importlib.import_module("fake_documents")
-        patch.setattr("gripcourse.usecases.grading.grade.cohort_pdf", found.cohort_page)
+        patch.setattr("gripcourse.usecases.grading.cohort_print.cohort_pdf", found.cohort_page)
         yield found
 
 

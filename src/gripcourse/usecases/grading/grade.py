@@ -20,11 +20,10 @@ from gripcourse.machine.alone import writing_into
 from gripcourse.machine.content import Readable
 from gripcourse.machine.files import (
     discard_unfinished,
-    write_bytes,
     write_text,
 )
 from gripcourse.machine.jobs.pools import PROCESSES, Pool
-from gripcourse.machine.jobs.workers import Lost, run_each
+from gripcourse.machine.jobs.workers import Lost
 from gripcourse.machine.spreadsheet.refusals import WhyRefused
 from gripcourse.text.words import message
 from gripcourse.usecases.grading.batch_tables import (
@@ -34,17 +33,17 @@ from gripcourse.usecases.grading.batch_tables import (
     missing,
     renew_tables,
 )
+from gripcourse.usecases.grading.cohort_print import CohortPrint, printing_cohort
 from gripcourse.usecases.grading.collect import PassedOver
 from gripcourse.usecases.grading.student_reports import (
     AsItWas,
     LayOut,
     Printing,
     Written,
-    cohort_pdf,
     student_pdf,
     write_reports,
 )
-from gripcourse.usecases.grading.unchanged import Earlier, PrintedBefore, TakenOver, told_of
+from gripcourse.usecases.grading.unchanged import Earlier, PrintedBefore, TakenOver
 from gripcourse.variants.model import Student
 
 COHORT_PDF = "cohort.pdf"
@@ -137,17 +136,22 @@ def write_results(  # noqa: PLR0913 (the last is what everybody leaves as it is)
         earlier: what an earlier run left.
         pool: kind of workers.
     """
+    printed = None if earlier is None else earlier.printed
+    results = _Results(context, out, passed_over, printed)
     with writing_into(out) as alone:
         if alone:
             _discard_unfinished(out)
         plain = reports_of(graded)
-        peers = () if lay_out is None else tuple(shares(filter(is_counting, plain)))
+        if lay_out is None:
+            return results.written(graded, [None] * len(plain), None)
         printing = Printing(
-            context.course, context.policy, graded_on, peers=peers, declared=context.declared
+            context.course,
+            context.policy,
+            graded_on,
+            peers=tuple(shares(filter(is_counting, plain))),
+            declared=context.declared,
         )
-        printed = None if earlier is None else earlier.printed
-        outcomes: Sequence[Written] = [None] * len(plain)
-        if lay_out is not None:
+        with printing_cohort(plain, printing, out / COHORT_PDF, workers, printed) as cohort:
             outcomes = write_reports(
                 plain,
                 printing,
@@ -158,9 +162,32 @@ def write_results(  # noqa: PLR0913 (the last is what everybody leaves as it is)
                 printed=printed,
                 pool=pool,
             )
+            return results.written(graded, outcomes, cohort)
+
+
+@dataclass(frozen=True, slots=True)
+class _Results:
+    """Where the results of a batch are written to; see `write_results`."""
+
+    context: GradingContext
+    out: Path
+    passed_over: Sequence[PassedOver]
+    printed: PrintedBefore | None
+
+    def written(
+        self, graded: Sequence[Graded], outcomes: Sequence[Written], cohort: CohortPrint | None
+    ) -> GradingOutcome:
+        """Write what concerns the whole batch.
+
+        Args:
+            graded: the batch.
+            outcomes: what became of each student's report.
+            cohort: the report on the batch; None where nobody wants it.
+        """
+        before, context, out = reports_of(graded), self.context, self.out
         lost = [(number, one) for number, one in enumerate(outcomes) if isinstance(one, Lost)]
         graded = with_reports(
-            graded, ((number, _with_incident(plain[number], one)) for number, one in lost)
+            graded, ((number, _with_incident(before[number], one)) for number, one in lost)
         )
         reports = reports_of(graded)
         written = {
@@ -171,10 +198,8 @@ def write_results(  # noqa: PLR0913 (the last is what everybody leaves as it is)
         seen = _Seen.of(graded)
         incidents = [*seen.incidents]
         incidents += [_told(one, f"report of {reports[number].file}") for number, one in lost]
-        renew_tables(reports, context, out, passed_over, printed)
-        failed = None
-        if lay_out is not None:
-            failed = _print_cohort(reports, printing, out / COHORT_PDF, workers, printed)
+        renew_tables(reports, context, out, self.passed_over, self.printed)
+        failed = None if cohort is None else cohort.written(reports, changed=bool(lost))
         if failed is not None:
             incidents.append(_told(failed, COHORT_PDF))
         if incidents:
@@ -182,21 +207,21 @@ def write_results(  # noqa: PLR0913 (the last is what everybody leaves as it is)
         else:
             # Those of an earlier run into the same folder have been corrected.
             (out / INCIDENTS).unlink(missing_ok=True)
-        cohort = None if failed is not None or lay_out is None else out / COHORT_PDF
+        path = None if cohort is None or failed is not None else cohort.path
         return GradingOutcome(
             reports=reports,
             written=written,
-            cohort=cohort,
+            cohort=path,
             needs_person=failed is not None
             or seen.is_flagged
-            or any(one.needs_person for one in passed_over),
-            passed_over=tuple(passed_over),
-            left_over=left_over(out, {*written.values(), *([] if cohort is None else [cohort])}),
+            or any(one.needs_person for one in self.passed_over),
+            passed_over=tuple(self.passed_over),
+            left_over=left_over(out, {*written.values(), *([] if path is None else [path])}),
             taken_over=TakenOver(
                 results=seen.taken_over,
                 reports=sum(isinstance(one, AsItWas) for one in outcomes),
             ),
-            grades_only=lay_out is None,
+            grades_only=cohort is None,
             missing=missing(reports, context),
             cohort_fault="" if failed is None else failed.reason,
             undated=tuple(sorted(seen.undated)) if context.policy.late is not None else (),
@@ -269,35 +294,6 @@ def left_over(out: Path, written: Collection[Path]) -> tuple[Path, ...]:
     """
     found = {*(out / REPORTS).glob("*.pdf"), *out.glob(COHORT_PDF)}
     return tuple(sorted(found - set(written)))
-
-
-def _print_cohort(
-    reports: Sequence[Report],
-    printing: Printing,
-    path: Path,
-    workers: int,
-    printed: PrintedBefore | None,
-) -> Lost | None:
-    """Print the cohort report.
-
-    Returns:
-        Why it could not be laid out, None where it was.
-    """
-    made_from = told_of(reports) if printed else ""
-    if printed and printed.stands(path, made_from):
-        return None
-    plain = Printing(printing.course, printing.policy, printing.graded_on)
-    ((_, pdf),) = run_each(
-        cohort_pdf, [tuple(reports)], plain, workers=min(workers, 1), seconds=plain.seconds
-    )
-    if isinstance(pdf, Lost):
-        # An earlier one would say something else than the grades.
-        path.unlink(missing_ok=True)
-        return pdf
-    write_bytes(path, pdf, private=True)
-    if printed:
-        printed.note(path, made_from)
-    return None
 
 
 def _discard_unfinished(out: Path) -> None:
