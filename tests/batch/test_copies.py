@@ -60,9 +60,8 @@ def codes(report: Report) -> set[str]:
 
 def like(reports: list[Report], context: GradingContext) -> tuple[list[Report], str]:
     """All reports as they are after the comparison, and what failed."""
-    found = like_others(reports, context)
     batch = [Graded(one, "") for one in reports]
-    compared = with_alike(batch, found, reports)
+    compared = with_alike(batch, like_others(batch, context), reports)
     return [one.report for one in compared], "".join(one.incident for one in compared)
 
 

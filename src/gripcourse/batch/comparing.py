@@ -77,7 +77,7 @@ class Comparing:
         works = graded if self.compared is None else self.compared
         alike = None if self._other is None else self._other.found()
         if alike is None:
-            alike = like_others(reports_of(works), self.context, self.kept)
+            alike = like_others(works, self.context, self.kept)
         return with_alike(graded, alike, reports_of(works))
 
     def close(self) -> None:
@@ -150,4 +150,4 @@ def _compared(places: Places | None, task: _Task) -> Alike | None:
         if task.kept is not None:
             deque(solve_ahead(task.context, task.kept), maxlen=0)
         return None
-    return like_others(reports_of(task.batch.at(places)), task.context, task.kept)
+    return like_others(task.batch.at(places), task.context, task.kept)

@@ -37,21 +37,23 @@ class Alike:
 
 
 def like_others(
-    reports: Sequence[Report], context: GradingContext, kept: KeptReports | None = None
+    graded: Sequence[Graded], context: GradingContext, kept: KeptReports | None = None
 ) -> Alike:
     """Find the submissions that hold another student's numbers.
 
     Args:
-        reports: of the batch.
+        graded: the batch.
         context: the course, its policy, the register.
         kept: what an earlier run found out; None for nothing.
     """
 
     def find() -> FlagsOf:
-        return flags_by_student(evidence_of(reports, context, kept), _titles(context))
+        found = evidence_of(reports_of(graded), context, kept)
+        return flags_by_student(found, _titles(context))
 
     try:
-        return Alike(find() if kept is None else kept.flags_of(reports, find))
+        digests = (one.digest for one in graded)
+        return Alike(find() if kept is None else kept.flags_of(digests, find))
     except Exception:  # noqa: BLE001 (ours: the marks stand without this evidence)
         return Alike({}, f"looking for likeness:\n{traceback.format_exc()}")
 

@@ -5,9 +5,22 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Final, TypeAlias
 
-from gripcourse.grading.folded import ReportShelf
+from gripcourse.grading.folded import ReportShelf, digest_of_report
 from gripcourse.grading.model import Report
 from gripcourse.machine.shelf import Shelved, Viewed
+
+
+@dataclass(frozen=True, slots=True)
+class Stated:
+    """What follows from a report as a whole, worked out by who made it.
+
+    Attributes:
+        digest: of all that it says.
+        line: the report but for its findings in one line, as tables have it.
+    """
+
+    digest: str
+    line: str
 
 
 @dataclass(frozen=True, slots=True)
@@ -18,15 +31,26 @@ class Graded:
         report: of the file.
         incident: the trace of what failed on our side; empty for nothing.
         taken_over: whether the report was found out by an earlier run.
+        stated: of just this report; None where nobody has worked it out.
     """
 
     report: Report
     incident: str
     taken_over: bool = False
+    stated: Stated | None = field(default=None, compare=False)
+
+    @property
+    def digest(self) -> str:
+        """A digest of all that the report says."""
+        return digest_of_report(self.report) if self.stated is None else self.stated.digest
+
+    def with_report(self, report: Report) -> "Graded":
+        """Return the same with another report."""
+        return replace(self, report=report, stated=None)
 
 
 _NEWEST: Final = pickle.HIGHEST_PROTOCOL
-_STAY: Final = 1000  # in memory, without their findings: two kilobytes each
+_STAY: Final = 1000  # in memory, without their findings: three kilobytes each
 
 Changes: TypeAlias = Iterable[tuple[int, Report]]
 """Reports that stand in the place of others, with their places in the batch."""
@@ -39,12 +63,14 @@ class _Folding:
     shelf: ReportShelf = field(default_factory=ReportShelf)
 
     def dump(self, one: Graded) -> bytes:
+        said = None if one.stated is None else (one.stated.digest, one.stated.line)
         plain = self.shelf.plain(one.report)
-        return pickle.dumps((one.incident, one.taken_over, *plain), _NEWEST)
+        return pickle.dumps((one.incident, one.taken_over, said, *plain), _NEWEST)
 
     def load(self, packed: bytes) -> Graded:
-        incident, taken_over, *plain = pickle.loads(packed)  # noqa: S301 (written above)
-        return Graded(self.shelf.report(tuple(plain)), incident, taken_over)
+        incident, taken_over, said, *plain = pickle.loads(packed)  # noqa: S301 (written above)
+        stated = None if said is None else Stated(*said)
+        return Graded(self.shelf.report(tuple(plain)), incident, taken_over, stated)
 
 
 def on_a_shelf(graded: Iterable[Graded] = ()) -> Shelved[Graded]:
@@ -62,7 +88,7 @@ def with_reports(graded: Sequence[Graded], changes: Changes) -> Shelved[Graded]:
     """Return the same batch with some other reports."""
     before = graded if isinstance(graded, Shelved) else on_a_shelf(graded)
     return changed(
-        before, ((number, replace(before[number], report=report)) for number, report in changes)
+        before, ((number, before[number].with_report(report)) for number, report in changes)
     )
 
 

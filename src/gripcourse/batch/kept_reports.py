@@ -7,7 +7,6 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, TypeAlias, TypeVar
 
-from gripcourse.grading.folded import digest_of_report
 from gripcourse.grading.model import Flag, Report
 from gripcourse.likeness.cells import SparseTable
 from gripcourse.likeness.issued import KeptTable
@@ -57,14 +56,14 @@ class KeptReports:
             self.written.append(new_records(self.folder))
         self.written[0].add(self._key(file, report.digest), report)
 
-    def flags_of(self, reports: Sequence[Report], find: Callable[[], FlagsOf]) -> FlagsOf:
+    def flags_of(self, digests: Iterable[str], find: Callable[[], FlagsOf]) -> FlagsOf:
         """Return the flags that comparing reports comes to; the last comparison is kept.
 
         Args:
-            reports: all that are compared, as they are before it.
+            digests: of all that are compared, as they are before it.
             find: compares them, where an earlier run did not compare just these.
         """
-        return self._last(_COMPARED, map(digest_of_report, reports), find)
+        return self._last(_COMPARED, digests, find)
 
     def issued_values(self, about: str) -> KeptTable:
         """Return what returns the right values of what was issued; the last ones are kept.

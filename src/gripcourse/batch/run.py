@@ -11,12 +11,12 @@ from gripcourse.batch.comparing import Comparing
 from gripcourse.batch.context import GradingContext, handed_in_by, likely_composition
 from gripcourse.batch.doubts import in_doubt
 from gripcourse.batch.duplicates import doubles
-from gripcourse.batch.graded import Graded, reports_of, with_reports
+from gripcourse.batch.graded import Graded, Stated, reports_of, with_reports
 from gripcourse.batch.kept_reports import KeptReports
 from gripcourse.batch.read_ahead import WorkRead, WorksAhead
 from gripcourse.batch.second_look import made_by_office, needs_second_look
 from gripcourse.course.composition import Composition
-from gripcourse.grading.folded import Derivation, folded
+from gripcourse.grading.folded import Derivation, digest_of_report, folded
 from gripcourse.grading.model import Report
 from gripcourse.grading.recalculated import not_recalculated_flag
 from gripcourse.grading.unjudged import incident_report
@@ -38,6 +38,9 @@ _OF_OFFICE = 100
 # Works that travel in one message: what is done for a message costs a hundredth of judging one.
 _TOGETHER = 8
 
+LineOf: TypeAlias = Callable[[Report], str]
+"""Puts a report but for its findings into one line; found by its name in another process."""
+
 GradeOne: TypeAlias = Callable[[Readable, GradingContext], Report]
 """Grades one file; it must be found by its name in another process."""
 
@@ -56,6 +59,7 @@ class _Job:
     context: GradingContext
     grade_one: GradeOne
     wanted: tuple[Derivation[Any], ...]
+    line_of: LineOf | None
 
 
 def grade_files(  # noqa: PLR0913 (the last ones are what everybody leaves as they are)
@@ -69,6 +73,7 @@ def grade_files(  # noqa: PLR0913 (the last ones are what everybody leaves as th
     kept: KeptReports | None = None,
     pool: Pool = PROCESSES,
     wanted: Sequence[Derivation[Any]] = (),
+    line_of: LineOf | None = None,
     ahead: WorksAhead | None = None,
     comparing: Comparing | None = None,
 ) -> Sequence[Graded]:
@@ -88,11 +93,12 @@ def grade_files(  # noqa: PLR0913 (the last ones are what everybody leaves as th
             it comes; None for neither.
         pool: kind of workers.
         wanted: what will be asked of the findings of each, derived where they are made.
+        line_of: puts each report into a line where it is made; None for nobody.
         ahead: what was read of these files before; None for nothing.
         comparing: begins to compare the files when they are graded, for who does something with
             them meanwhile and enters then what it comes to; None to enter it here.
     """
-    job = _Job(context, grade_one, tuple(wanted))
+    job = _Job(context, grade_one, tuple(wanted), line_of)
     here = Comparing(context, kept) if comparing is None else comparing
     grading = _Grading(files, job, workers, seconds, pool, kept, on_done, here, ahead)
     alone = here.batch.filled(len(files), grading.each())
@@ -137,11 +143,12 @@ class _Grading:
             seconds=self.seconds, pool=self.pool, send=_travelling, together=_TOGETHER,
             kind_of=self._kind,
         )  # fmt: skip
-        for done, (place, report) in enumerate(jobs, start=1):
+        for done, (place, outcome) in enumerate(jobs, start=1):
             number = left[place]
+            report, stated = (outcome, None) if isinstance(outcome, Lost) else outcome
             if isinstance(report, Report) and self._can_look_again(report):
                 self.open.append(number)
-            yield number, self._found(number, report)
+            yield number, self._found(number, report, stated)
             _log.info("graded %s", shown(shown_name(self.files[number])))
             self.on_done(self.files[number])
             if done < len(left):
@@ -183,7 +190,7 @@ class _Grading:
         asked = context.office is not None and self.workers > 0
         return asked and needs_second_look(report, recalculate=context.recalculate)
 
-    def _found(self, number: int, report: Report | Lost) -> Graded:
+    def _found(self, number: int, report: Report | Lost, stated: Stated | None = None) -> Graded:
         """Keep what was found out of a file; what failed or needs a second look is tried again."""
         if (
             self.kept is not None
@@ -191,7 +198,8 @@ class _Grading:
             and is_found_out(report, self.job.context, self.workers)
         ):
             self.kept.keep(self.files[number], report)
-        return self._graded(number, report, taken_over=False)
+        found = self._graded(number, report, taken_over=False)
+        return replace(found, stated=stated) if found.report is report else found
 
     def _graded(self, number: int, report: Report | Lost, *, taken_over: bool) -> Graded:
         return _graded(self.files[number], report, self.job.context, taken_over=taken_over)
@@ -265,9 +273,12 @@ def incident_number(trace: str) -> str:
     return hashlib.sha256(shown(trace).encode()).hexdigest()[:8]
 
 
-def _grade(work: Readable | WorkRead, job: _Job) -> Report:
+def _grade(work: Readable | WorkRead, job: _Job) -> tuple[Report, Stated | None]:
     # Folded where it was made: it travels as bytes, and who waits for all has less to do.
-    return folded(_graded_alone(work, job), job.wanted)
+    report = folded(_graded_alone(work, job), job.wanted)
+    if job.line_of is None:
+        return report, None
+    return report, Stated(digest_of_report(report), job.line_of(report))
 
 
 def _graded_alone(work: Readable | WorkRead, job: _Job) -> Report:

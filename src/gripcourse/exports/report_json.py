@@ -27,13 +27,25 @@ def said_in(language: str) -> Derivation[str]:
     return Derivation(f"json {language}", partial(findings_json, language=language))
 
 
-def report_json(report: Report, words: Words, scales: Sequence[Scale]) -> str:
-    """Return the plain form of `report_result` as JSON, without line ends."""
+def report_json(report: Report, words: Words, scales: Sequence[Scale], around: str = "") -> str:
+    """Return the plain form of `report_result` as JSON, without line ends.
+
+    Args:
+        report: to be put into words.
+        words: their language.
+        scales: of the policy.
+        around: what `json_around` says of just this report; empty where nobody knows it.
+    """
     said = derived(report.findings, said_in(words.language))
-    around = report_result(replace(report, findings=()), words, scales).to_dict()
     # In a text of JSON no quote stands without a backslash: it is there once.
-    before, after = _line(around).split(_NO_FINDINGS, 1)
+    known = around or json_around(report, words.language, scales)
+    before, after = known.split(_NO_FINDINGS, 1)
     return f"{before}{_NO_FINDINGS.removesuffix('[]')}{said}{after}"
+
+
+def json_around(report: Report, language: str, scales: Sequence[Scale]) -> str:
+    """Return what `report_json` does as if the report had no findings."""
+    return _line(report_result(replace(report, findings=()), Words(language), scales).to_dict())
 
 
 def _line(plain: Mapping[str, object] | Sequence[object]) -> str:

@@ -8,16 +8,16 @@ from itertools import chain, repeat
 from pathlib import Path
 
 from gripcourse.batch.context import GradingContext
+from gripcourse.batch.graded import Graded, reports_of
 from gripcourse.exports.files import Fate, FileAccount, files_lines, graded_account
 from gripcourse.exports.grades import Called, grades_lines
 from gripcourse.exports.make_report_result import file_result, grades_result, missing_result
 from gripcourse.exports.plain import to_plain
 from gripcourse.exports.report_json import report_json
 from gripcourse.exports.report_result import FileResult, GradesResult, MissingResult
-from gripcourse.grading.folded import digest_of_report
 from gripcourse.grading.model import Report
 from gripcourse.machine.files import write_together
-from gripcourse.machine.shelf import Shelved, ViewedMapping
+from gripcourse.machine.shelf import Shelved, Viewed, ViewedMapping
 from gripcourse.policy.scales import Scale
 from gripcourse.text.words import Words
 from gripcourse.usecases.grading.collect import REASONS, PassedOver
@@ -32,7 +32,7 @@ FILES_CSV = "files.csv"
 
 
 def renew_tables(
-    reports: Sequence[Report],
+    graded: Sequence[Graded],
     context: GradingContext,
     out: Path,
     passed_over: Sequence[PassedOver],
@@ -40,31 +40,38 @@ def renew_tables(
 ) -> None:
     """Write the tables of a batch, unless an earlier run wrote them from the very same."""
     tables = [out / name for name in (GRADES_CSV, FILES_CSV, GRADES_JSON)]
+    reports, arounds = reports_of(graded), Viewed(graded, _around)
     if printed is None:
-        write_tables(reports, context, out, passed_over)
+        write_tables(reports, context, out, passed_over, Known(arounds))
         return
     students = (repr((one.student, one.left)) for one in context.register.values())
-    digests = Shelved(digest_of_report(one) for one in reports)
+    digests = Shelved(one.digest for one in graded)
     made_from = digest_of_texts(chain(digests, [repr(passed_over)], students))
     if all(printed.stands(one, made_from) for one in tables):
         return
     lines = printed.lines_of(out / GRADES_JSON)
-    write_tables(reports, context, out, passed_over, TakenLines(lines, digests))
+    write_tables(reports, context, out, passed_over, Known(arounds, lines, digests))
     for one in tables:
         printed.note(one, made_from)
 
 
+def _around(graded: Graded) -> str:
+    return "" if graded.stated is None else graded.stated.line
+
+
 @dataclass(frozen=True, slots=True)
-class TakenLines:
-    """What need not be put into words again.
+class Known:
+    """What need not be put into words again, of reports in their order.
 
     Attributes:
-        before: lines of the table of before.
-        digests: of the reports, in their order.
+        arounds: what `json_around` says of each; empty where nobody knows it.
+        before: lines of the table of before; None for none.
+        digests: of the reports; none where there is no table of before.
     """
 
-    before: LinesBefore
-    digests: Sequence[str]
+    arounds: Iterable[str]
+    before: LinesBefore | None = None
+    digests: Sequence[str] = ()
 
 
 def write_tables(
@@ -72,7 +79,7 @@ def write_tables(
     context: GradingContext,
     out: Path,
     passed_over: Sequence[PassedOver] = (),
-    taken: TakenLines | None = None,
+    known: Known | None = None,
 ) -> None:
     """Write what concerns the whole batch: grades and all files, as CSV and JSON.
 
@@ -83,7 +90,7 @@ def write_tables(
         context: the course, its policy and the register.
         out: folder to write to.
         passed_over: files that were found and not looked at.
-        taken: what an earlier run wrote; None for nothing.
+        known: what an earlier run wrote, or who made the reports; None for nothing.
 
     Raises:
         OSError: one of them cannot be written; those of an earlier run are untouched.
@@ -97,15 +104,18 @@ def write_tables(
         yield from map(graded_account, reports)
         yield from map(passed_over_account, passed_over)
 
-    digests = repeat("") if taken is None else taken.digests
-    pieces = _json_pieces(reports, digests, called, passed_over, missing(reports, context))
+    known = known or Known(repeat(""))
+    lines = zip(reports, known.digests or repeat(""), known.arounds, strict=False)
+    pieces = _json_pieces(reports, lines, called, passed_over, missing(reports, context))
     of_before = out / GRADES_JSON
     write_together(
         {
             out / GRADES_CSV: _for_excel(lambda: grades_lines(reports, students, called, left)),
             out / FILES_CSV: _for_excel(lambda: files_lines(accounts(), words)),
             of_before: (
-                all_made(pieces) if taken is None else taken.before.taken_over(of_before, pieces)
+                all_made(pieces)
+                if known.before is None
+                else known.before.taken_over(of_before, pieces)
             ),
         }
     )
@@ -138,17 +148,27 @@ def json_text(
 ) -> str:
     """Return the reports as JSON, each in a line; see `exports.report_result.GradesResult`."""
     called = Called(tuple(scales), words)
-    return "".join(all_made(_json_pieces(reports, repeat(""), called, passed_over, missing)))
+    lines = ((one, "", "") for one in reports)
+    return "".join(all_made(_json_pieces(reports, lines, called, passed_over, missing)))
 
 
 def _json_pieces(
     reports: Sequence[Report],
-    digests: Iterable[str],
+    lines_of: Iterable[tuple[Report, str, str]],
     called: Called,
     passed_over: Sequence[PassedOver],
     missing: Sequence[Student],
 ) -> Iterator[Piece]:
-    """Yield the pieces of a table that may be of any length: of each list one line at a time."""
+    """Yield the pieces of a table that may be of any length: of each list one line at a time.
+
+    Args:
+        reports: of the batch.
+        lines_of: each of them with its digest and what `json_around` says, as far as they are
+            known.
+        called: words and scales.
+        passed_over: files that were found and not looked at.
+        missing: students of whom there is nothing.
+    """
     words, scales = called.words, called.scales
 
     def accounts() -> Iterator[FileAccount]:
@@ -158,8 +178,8 @@ def _json_pieces(
     flagged = any(one.needs_person for one in accounts())
     left = _as_json(GradesResult((), flagged).to_dict())
     lists: tuple[tuple[str, Iterable[Piece]], ...] = (
-        ("reports", (TableLine(digest, partial(report_json, report, words, scales))
-                     for report, digest in zip(reports, digests, strict=False))),
+        ("reports", (TableLine(digest, partial(report_json, report, words, scales, around))
+                     for report, digest, around in lines_of)),
         ("files", (_item(file_result(one, words)) for one in accounts())),
         ("missing", (_item(missing_result(one)) for one in missing)),
     )  # fmt: skip

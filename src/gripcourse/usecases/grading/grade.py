@@ -3,6 +3,7 @@
 from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from datetime import date
+from functools import partial
 from pathlib import Path
 
 from gripcourse.batch.comparing import Comparing
@@ -12,7 +13,7 @@ from gripcourse.batch.read_ahead import WorksAhead
 from gripcourse.batch.run import grade_files, incident_number, is_found_out
 from gripcourse.documents.report.totals import is_counting, shares
 from gripcourse.exports.grades import FOUND
-from gripcourse.exports.report_json import said_in
+from gripcourse.exports.report_json import json_around, said_in
 from gripcourse.gradebook.results import RESULTS, RESULTS_DIGEST
 from gripcourse.grading.model import Flag, FlagCode, Report
 from gripcourse.likeness.works import TYPED
@@ -98,9 +99,10 @@ def grade(  # noqa: PLR0913 (the last ones are what nearly everybody leaves as t
     count = min(workers, len(files))
     # What the gradebook, the search for likeness and the tables ask of every work.
     wanted = (RESULTS, RESULTS_DIGEST, TYPED, FOUND, said_in(context.course.language))
+    line_of = partial(json_around, language=context.course.language, scales=context.policy.scales)
     return grade_files(
-        files, context, count, on_done, kept=kept, pool=pool, wanted=wanted, ahead=ahead,
-        comparing=comparing,
+        files, context, count, on_done, kept=kept, pool=pool, wanted=wanted, line_of=line_of,
+        ahead=ahead, comparing=comparing,
     )  # fmt: skip
 
 
@@ -198,7 +200,7 @@ class _Results:
         seen = _Seen.of(graded)
         incidents = [*seen.incidents]
         incidents += [_told(one, f"report of {reports[number].file}") for number, one in lost]
-        renew_tables(reports, context, out, self.passed_over, self.printed)
+        renew_tables(graded, context, out, self.passed_over, self.printed)
         failed = None if cohort is None else cohort.written(reports, changed=bool(lost))
         if failed is not None:
             incidents.append(_told(failed, COHORT_PDF))
