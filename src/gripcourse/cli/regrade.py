@@ -10,6 +10,7 @@ import typer
 
 from gripcourse.cli import regrade_text
 from gripcourse.cli import text as cli_text
+from gripcourse.cli.foreseen import GRADING, foresee
 from gripcourse.cli.help import SpokenCommand
 from gripcourse.cli.loudness import confirm
 from gripcourse.cli.options import (
@@ -66,10 +67,11 @@ def regrade(  # noqa: PLR0913 (one parameter per option)
     language: LanguageOption = None,
 ) -> None:
     """Show what today's course and policy would change about graded works; apply it if asked."""
+    from gripcourse.batch.read_ahead import reading_ahead
     from gripcourse.gradebook.journal import Signed
     from gripcourse.usecases.grading.collect import collect
     from gripcourse.usecases.grading.unchanged import open_earlier
-    from gripcourse.usecases.grading.versions import versions_of
+    from gripcourse.usecases.grading.versions import EARLIER, versions_of
     from gripcourse.usecases.marks import regrade as command
     from gripcourse.usecases.marks.opening import open_grading
 
@@ -80,21 +82,30 @@ def regrade(  # noqa: PLR0913 (one parameter per option)
             message("A regrade needs a reason."),
             message("Say why: whoever asks in a year reads it."),
         )
+    foresee(GRADING, workers)
     files = collect(paths).files
     root = course_folder(course)
-    versions = versions_of(root)
-    context = open_grading(root)
-    place, now = gradebook_place(gradebook, context.course.root), datetime.now(UTC)
-    context = command.as_decided(context, files, place, whose or (), either_version=either_version)
-    earlier = None
-    # Whoever may not write there looks, too, but pays for every look.
-    with suppress(OSError):
-        earlier = open_earlier(root / "private", context, versions, workers=workers)
-    say_limits(words)
-    with cli_text.progress(words) as step:
-        tick = step(words.say(message("Grading")), len(files))
-        kept = None if earlier is None else earlier.reports
-        found = command.regrade(files, context, place, workers, now, lambda _: tick(), kept=kept)
+    # Who has looked before mostly looks at the same again.
+    is_new = not (root / "private" / EARLIER).exists()
+    with reading_ahead(files, workers if is_new else 0) as ahead:
+        versions = versions_of(root)
+        context = open_grading(root)
+        place, now = gradebook_place(gradebook, context.course.root), datetime.now(UTC)
+        context = command.as_decided(
+            context, files, place, whose or (), either_version=either_version
+        )
+        earlier = None
+        # Whoever may not write there looks, too, but pays for every look.
+        with suppress(OSError):
+            earlier = open_earlier(root / "private", context, versions, workers=workers)
+        say_limits(words)
+        read = ahead.ended()
+        with cli_text.progress(words) as step:
+            tick = step(words.say(message("Grading")), len(files))
+            kept = None if earlier is None else earlier.reports
+            found = command.regrade(
+                files, context, place, workers, now, lambda _: tick(), kept=kept, ahead=read
+            )
     if found.incidents:
         cli_text.write_incident("\n".join(found.incidents))
     typer.echo(regrade_text.regrade_text(found, direction, context, words))

@@ -4,9 +4,11 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from datetime import datetime
 
+from gripcourse.batch.comparing import Comparing
 from gripcourse.batch.context import GradingContext
 from gripcourse.batch.graded import Graded
 from gripcourse.batch.kept_reports import KeptReports
+from gripcourse.batch.read_ahead import WorksAhead
 from gripcourse.batch.run import grade_files
 from gripcourse.errors import NextStep, Problem, UsageError
 from gripcourse.gradebook.fingerprint import fingerprints
@@ -25,6 +27,7 @@ from gripcourse.gradebook.journal import (
 )
 from gripcourse.gradebook.model import Attempt, GradebookEntry, attempt_of, latest_marks_of_all
 from gripcourse.gradebook.regrade import Shift, WorkChange, change_of, direction_of
+from gripcourse.gradebook.results import RESULTS, RESULTS_DIGEST
 from gripcourse.gradebook.store import Gradebook
 from gripcourse.gradebook.works import StudentWork, points_of, standing_of, works_of
 from gripcourse.grading.model import PointSums
@@ -109,6 +112,7 @@ def regrade(  # noqa: PLR0913 (the last ones are what everybody leaves as they a
     on_done: Callable[[Readable], None] = lambda _: None,
     *,
     kept: KeptReports | None = None,
+    ahead: WorksAhead | None = None,
 ) -> Regrading:
     """Grade works again by today's course, policy and engine, and change nothing.
 
@@ -120,13 +124,18 @@ def regrade(  # noqa: PLR0913 (the last ones are what everybody leaves as they a
         now: when it is done.
         on_done: called with each file when it is graded.
         kept: what a regrade by the very same found out of single files; new reports are added.
+        ahead: what was read of the works before; None for nothing.
 
     Raises:
         GradebookError: there is no gradebook, or it cannot be used.
     """
     book = existing_gradebook(place, context.joins)
     context = with_kept_versions(context, place)
-    graded = grade_files(files, context, min(workers, len(files)), on_done, kept=kept)
+    graded = grade_files(
+        files, context, min(workers, len(files)), on_done, kept=kept, ahead=ahead,
+        wanted=(RESULTS, RESULTS_DIGEST),
+        comparing=Comparing(context),  # begun, and not entered: no result hangs on it
+    )  # fmt: skip
     by_student = works_of(book.standing())
     works = {(one.student, one.digest): one for all_ in by_student.values() for one in all_}
     versions = fingerprints(context.course.root)
