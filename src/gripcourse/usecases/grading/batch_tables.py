@@ -1,7 +1,7 @@
 """The tables of a whole batch: grades and all files that were found, as CSV and JSON."""
 
 import json
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Container, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import partial
 from itertools import chain, repeat
@@ -37,12 +37,22 @@ def renew_tables(
     out: Path,
     passed_over: Sequence[PassedOver],
     printed: PrintedBefore | None,
+    absent: Sequence[Student],
 ) -> None:
-    """Write the tables of a batch, unless an earlier run wrote them from the very same."""
+    """Write the tables of a batch, unless an earlier run wrote them from the very same.
+
+    Args:
+        graded: the batch.
+        context: the course, its policy and the register.
+        out: folder to write to.
+        passed_over: files that were found and not looked at.
+        printed: what earlier runs wrote; None to write all.
+        absent: students of whom there is nothing.
+    """
     tables = [out / name for name in (GRADES_CSV, FILES_CSV, GRADES_JSON)]
     reports, arounds = reports_of(graded), Viewed(graded, _around)
     if printed is None:
-        write_tables(reports, context, out, passed_over, Known(arounds))
+        write_tables(reports, context, out, passed_over, Known(arounds, absent=absent))
         return
     students = (repr((one.student, one.left)) for one in context.register.values())
     digests = Shelved(one.digest for one in graded)
@@ -50,7 +60,7 @@ def renew_tables(
     if all(printed.stands(one, made_from) for one in tables):
         return
     lines = printed.lines_of(out / GRADES_JSON)
-    write_tables(reports, context, out, passed_over, Known(arounds, lines, digests))
+    write_tables(reports, context, out, passed_over, Known(arounds, lines, digests, absent))
     for one in tables:
         printed.note(one, made_from)
 
@@ -67,11 +77,13 @@ class Known:
         arounds: what `json_around` says of each; empty where nobody knows it.
         before: lines of the table of before; None for none.
         digests: of the reports; none where there is no table of before.
+        absent: students of whom there is nothing; None where nobody has looked.
     """
 
     arounds: Iterable[str]
     before: LinesBefore | None = None
     digests: Sequence[str] = ()
+    absent: Sequence[Student] | None = None
 
 
 def write_tables(
@@ -106,7 +118,8 @@ def write_tables(
 
     known = known or Known(repeat(""))
     lines = zip(reports, known.digests or repeat(""), known.arounds, strict=False)
-    pieces = _json_pieces(reports, lines, called, passed_over, missing(reports, context))
+    absent = missing(reports, context) if known.absent is None else known.absent
+    pieces = _json_pieces(reports, lines, called, passed_over, absent)
     of_before = out / GRADES_JSON
     write_together(
         {
@@ -133,7 +146,11 @@ def _student(issued: Issued) -> Student:
 
 def missing(reports: Sequence[Report], context: GradingContext) -> tuple[Student, ...]:
     """Return the students of the course of whom the batch has nothing, by id."""
-    handed_in = {report.student for report in reports}
+    return lacking({report.student for report in reports}, context)
+
+
+def lacking(handed_in: Container[str], context: GradingContext) -> tuple[Student, ...]:
+    """Return the students of the course but for those who handed in, by id."""
     names = sorted(name for name in context.register if name not in handed_in)
     entries = (context.register[name] for name in names)
     return tuple(one.student for one in entries if not one.left)
@@ -214,8 +231,8 @@ def batch_result(
 ) -> GradesResult:
     """Put a batch into words for another program: every file found, and who handed in nothing."""
     others = tuple(map(passed_over_account, passed_over))
-    lacking = missing(reports, context)
-    return grades_result(reports, words, incidents, others, context.policy.scales, lacking)
+    absent = missing(reports, context)
+    return grades_result(reports, words, incidents, others, context.policy.scales, absent)
 
 
 def passed_over_account(one: PassedOver) -> FileAccount:

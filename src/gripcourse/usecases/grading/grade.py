@@ -31,7 +31,7 @@ from gripcourse.usecases.grading.batch_tables import (
     FILES_CSV,
     GRADES_CSV,
     GRADES_JSON,
-    missing,
+    lacking,
     renew_tables,
 )
 from gripcourse.usecases.grading.cohort_print import CohortPrint, printing_cohort
@@ -200,7 +200,8 @@ class _Results:
         seen = _Seen.of(graded)
         incidents = [*seen.incidents]
         incidents += [_told(one, f"report of {reports[number].file}") for number, one in lost]
-        renew_tables(graded, context, out, self.passed_over, self.printed)
+        absent = lacking(seen.handed_in, context)
+        renew_tables(graded, context, out, self.passed_over, self.printed, absent)
         failed = None if cohort is None else cohort.written(reports, changed=bool(lost))
         if failed is not None:
             incidents.append(_told(failed, COHORT_PDF))
@@ -224,7 +225,7 @@ class _Results:
                 reports=sum(isinstance(one, AsItWas) for one in outcomes),
             ),
             grades_only=cohort is None,
-            missing=missing(reports, context),
+            missing=absent,
             cohort_fault="" if failed is None else failed.reason,
             undated=tuple(sorted(seen.undated)) if context.policy.late is not None else (),
         )
@@ -239,12 +240,14 @@ class _Seen:
         is_flagged: whether anything waits for a person.
         taken_over: how many results an earlier run found out.
         undated: students with a judged work who have no deadline.
+        handed_in: students of whom there is a file.
     """
 
     incidents: list[str] = field(default_factory=list)
     is_flagged: bool = False
     taken_over: int = 0
     undated: set[str] = field(default_factory=set)
+    handed_in: set[str] = field(default_factory=set)
 
     @classmethod
     def of(cls, graded: Iterable[Graded]) -> "_Seen":
@@ -255,6 +258,7 @@ class _Seen:
             if one.incident:
                 seen.incidents.append(one.incident)
             seen.is_flagged |= bool(report.flags)
+            seen.handed_in.add(report.student)
             seen.taken_over += one.taken_over
             if report.judged and report.timing is not None and report.timing.deadline is None:
                 seen.undated.add(report.student)
