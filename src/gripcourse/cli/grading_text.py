@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from gripcourse.cli import times_text
 from gripcourse.cli.missing_text import missing_text
+from gripcourse.cli.pattern_text import without_fit
 from gripcourse.cli.table_layout import table_text
 from gripcourse.grading.flag_code import FlagCode
 from gripcourse.machine.shelf import Shelved
@@ -114,6 +115,7 @@ def batch_text(outcome: "GradingOutcome", out: Path, words: Words) -> str:
     if asks:
         said = message("Ask, then grade again and say so, for example --whose s002.xlsx=s003.")
         lines.append(words.say(said))
+    lines += without_fit(outcome.unfitting, outcome.reports, words)
     lines += _passed_over(outcome, words)
     lines += times_text.without_times(outcome.reports, words)
     lines += times_text.without_deadlines(outcome.undated, words)

@@ -22,6 +22,7 @@ from gripcourse.cli.options import (
     EitherVersionOption,
     GradebookOption,
     LanguageOption,
+    PatternOption,
     WhoseOption,
     WhyOption,
     WorkersOption,
@@ -59,6 +60,7 @@ def regrade(  # noqa: PLR0913 (one parameter per option)
     allow_lower: AllowLowerOption = False,
     by: ByOption = None,
     whose: WhoseOption = None,
+    pattern: PatternOption = None,
     either_version: EitherVersionOption = None,
     workers: WorkersOption = PROCESSORS,
     gradebook: GradebookOption = None,
@@ -71,6 +73,7 @@ def regrade(  # noqa: PLR0913 (one parameter per option)
     from gripcourse.usecases.grading.unchanged import open_earlier
     from gripcourse.usecases.grading.versions import versions_of
     from gripcourse.usecases.marks import regrade as command
+    from gripcourse.usecases.marks.batch_wish import BatchWish
     from gripcourse.usecases.marks.opening import open_grading
 
     words = words_for(language)
@@ -85,7 +88,8 @@ def regrade(  # noqa: PLR0913 (one parameter per option)
     versions = versions_of(root)
     context = open_grading(root)
     place, now = gradebook_place(gradebook, context.course.root), datetime.now(UTC)
-    context = command.as_decided(context, files, place, whose or (), either_version=either_version)
+    wish = BatchWish(tuple(whose or ()), pattern=pattern, either_version=either_version)
+    context = command.as_decided(context, files, place, wish)
     earlier = None
     # Whoever may not write there looks, too, but pays for every look.
     with suppress(OSError):

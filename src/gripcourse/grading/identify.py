@@ -9,19 +9,23 @@ another's name: a person asks.
 import unicodedata
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from itertools import chain
 from pathlib import PurePath
 from types import MappingProxyType
+from typing import Final
 
 from gripcourse.grading.known_by import KnownBy
 from gripcourse.grading.made_for import is_signed_as, version_made_for, versions_of
 from gripcourse.grading.path_pattern import PathPattern
 from gripcourse.grading.platforms import PlatformPart, platform_part
 from gripcourse.submission.model import Identity
+from gripcourse.text.shown import first_of
 from gripcourse.text.words import Message, message
 from gripcourse.variants.model import Issued, names_of
 
 _NONE_EARLIER: Mapping[str, Sequence[Issued]] = MappingProxyType({})
 _NONE_JOINED: Mapping[str, str] = MappingProxyType({})
+_SHOWN: Final = 5  # namesakes
 
 
 @dataclass(frozen=True, slots=True)
@@ -68,7 +72,8 @@ def identify(
         if is_signed_as(identity, made_for):
             if _person(identity.other, joined) in register:
                 return _doubtful(_two_inside(identity))
-            said = _contradiction(file, made_for, by_path, register)
+            stated = None if pattern is None else pattern.part_of(file)
+            said = _contradiction(file, made_for, by_path, register, stated, joined)
             return _doubtful(said) if said else HandedIn(made_for, KnownBy.SIGNATURE)
     if by_path.issued is None:
         return _doubtful(_unsigned(named)) if named in register else by_path
@@ -101,7 +106,10 @@ def _by_path(
     """Tell whose a path says it is; a platform's part of it leaves the rest nothing to say."""
     stated = None if pattern is None else pattern.part_of(file)
     if stated is not None:
-        entry = _of_pattern(stated, register, joined)
+        named = _of_pattern(stated, register, joined)
+        if len(named) > 1:
+            return _doubtful(_several_of_name(stated.name, named))
+        entry = register[named[0]] if named else None
         if entry is not None and (other := _other_by_name(stated, entry, register)):
             return _doubtful(_two_in_path(entry.student.id, other))
         return HandedIn(entry, KnownBy.PLATFORM if entry else KnownBy.NOTHING)
@@ -121,12 +129,18 @@ def _by_path(
 
 def _of_pattern(
     part: PlatformPart, register: Mapping[str, Issued], joined: Mapping[str, str]
-) -> Issued | None:
-    """Return whom an instructor's own pattern names; a name only where one student has it."""
+) -> Sequence[str]:
+    """Return the ids of whom an instructor's own pattern names; of several who share a name all."""
     if part.identifier:
-        return register.get(_person(part.identifier, joined))
-    named = [student for student, name in names_of(register) if part.is_named(name)]
-    return register[named[0]] if len(named) == 1 else None
+        student = _person(part.identifier, joined)
+        return [student] if student in register else []
+    second = (
+        (student, person.name)
+        for student in sorted(set(joined.values()) & register.keys())
+        for person in register[student].joined
+    )
+    named = (student for student, name in chain(names_of(register), second) if part.is_named(name))
+    return list(dict.fromkeys(named))
 
 
 def _of_platform(
@@ -142,14 +156,30 @@ def _of_platform(
 
 
 def _contradiction(
-    file: str, signed: Issued, by_path: HandedIn, register: Mapping[str, Issued]
+    file: str,
+    signed: Issued,
+    by_path: HandedIn,
+    register: Mapping[str, Issued],
+    stated: PlatformPart | None,
+    joined: Mapping[str, str],
 ) -> Message | None:
-    """Say what speaks against the student of a signed workbook."""
+    """Say what speaks against the student of a signed workbook.
+
+    Args:
+        file: path of the file.
+        signed: what the workbook is.
+        by_path: whose the path says it is.
+        register: entries by student id.
+        stated: what an instructor's own pattern finds in the path; None for nothing.
+        joined: by id that was joined with another's, the id of the student.
+    """
     student = signed.student
     if by_path.issued is not None:
         told = by_path.issued.student.id
         return None if told == student.id else _two_names(student.id, told)
-    part = platform_part(file)
+    if stated is not None and _person(stated.identifier, joined) == student.id:
+        return None
+    part = stated or platform_part(file)
     other = "" if part is None else _other_by_name(part, signed, register)
     return _two_names(student.id, other) if other else None
 
@@ -171,6 +201,15 @@ def _two_in_path(student: str, other: str) -> Message:
         " was not graded and nobody's mark changes.",
         student=student,
         other=other,
+    )
+
+
+def _several_of_name(name: str, students: Sequence[str]) -> Message:
+    return message(
+        "Who handed this in? The name in the path, {name}, is that of {students}. It was not graded"
+        " and nobody's mark changes.",
+        name=name,
+        students=first_of(students, _SHOWN),
     )
 
 

@@ -14,6 +14,7 @@ from gripcourse.exports.grades import FOUND
 from gripcourse.exports.report_json import said_in
 from gripcourse.gradebook.results import RESULTS, RESULTS_DIGEST
 from gripcourse.grading.model import Flag, FlagCode, Report
+from gripcourse.grading.path_pattern import fits_none
 from gripcourse.likeness.works import TYPED
 from gripcourse.machine.alone import writing_into
 from gripcourse.machine.content import Readable
@@ -67,6 +68,7 @@ class GradingOutcome:
         missing: students to whom something was issued and whose work is not in the batch, by id.
         cohort_fault: why the cohort report could not be laid out.
         undated: students with a judged work who have no deadline, though lateness costs, by id.
+        unfitting: the pattern of paths that an instructor gave, where it fits no file; else empty.
     """
 
     reports: Sequence[Report]
@@ -80,6 +82,7 @@ class GradingOutcome:
     missing: tuple[Student, ...] = ()
     cohort_fault: str = ""
     undated: tuple[str, ...] = ()
+    unfitting: str = ""
 
 
 def grade(  # noqa: PLR0913 (the last ones are what nearly everybody leaves as they are)
@@ -197,6 +200,7 @@ def write_results(  # noqa: PLR0913 (the last is what everybody leaves as it is)
             missing=missing(reports, context),
             cohort_fault="" if failed is None else failed.reason,
             undated=tuple(sorted(seen.undated)) if context.policy.late is not None else (),
+            unfitting=fits_none(context.pattern, (one.file for one in reports)),
         )
 
 

@@ -155,7 +155,7 @@ def open_earlier(
     if versions_of(context.course.root) != versions:
         return None
     make_private_folder(folder)
-    pattern = context.pattern and context.pattern.expression.pattern
+    pattern = context.pattern and context.pattern.written
     judged_by = context.either_version, sorted(context.either_for), sorted(context.declared)
     office = (office_identity(context.office), context.recalculate) if workers else None
     decides = (versions, *map(repr, (judged_by, pattern, office)))
