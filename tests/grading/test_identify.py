@@ -230,3 +230,20 @@ def test_a_joined_person_is_found_by_the_earlier_id_and_name(
     by_name = path_pattern("{name} - *", known)
     found = identify("Коваль Оксана - w.xlsx", NOTHING_INSIDE, known, by_name, joined=joined)
     assert found.issued == known["s02"]
+
+
+def test_a_platform_may_write_a_person_as_the_register_did_before(
+    register: "dict[str, Issued]",
+) -> None:
+    entry = register["s02"]
+    known = {**register, "s02": replace(entry, student=replace(entry.student, name="Шевчук Ганна"))}
+    known["s07"] = replace(entry, student=replace(entry.student, id="s07", name="Шевчук Анна"))
+    file, said = "Шевчук Анна_201_assignsubmission_file/w.xlsx", signed(register, "s02")
+    assert identify(file, said, known).issued is None
+    former = {"s02": ("Шевчук Анна",)}
+    found = identify(file, said, known, former=former)
+    assert (found.issued, found.known_by) == (known["s02"], KnownBy.SIGNATURE)
+    other = {"s02": ("Шевчук А.",)}
+    assert identify(file, said, known, former={"s03": ("Шевчук Анна",)}).issued is None
+    assert identify("Иванов Игорь_9_assignsubmission_file/w.xlsx", said, known,
+                    former=other).issued is None  # fmt: skip

@@ -76,6 +76,7 @@ def grading_of(course: Course, policy: Policy) -> GradingContext:
         declared=kept_declarations(course.root, last, chain.from_iterable(earlier.values())),
         joined=register.joined,
         joins=register.joins,
+        former=register.former,
     )
 
 
