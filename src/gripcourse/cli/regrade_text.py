@@ -33,6 +33,7 @@ _HEADS = (
 )
 _VERSIONS = {
     "engine": message("the program"),
+    "version": message("the version"),
     "course": message("the course"),
     "policy": message("the policy"),
 }
