@@ -63,6 +63,15 @@ def test_the_same_results_by_another_course_are_nothing_to_apply(
     assert not change.changes
 
 
+def test_where_another_version_of_the_assignment_counts_nobody_has_changed_the_course(
+    compare: Compare, report: MakeReport
+) -> None:
+    other = Fingerprints("x" * 64, "d" * 64, "c" * 64)
+    change = compare(report(), version=2, fingerprints=other)
+    assert ChangedPart.VERSION in change.versions
+    assert ChangedPart.COURSE not in change.versions
+
+
 def test_items_that_are_new_or_asked_no_longer_are_named(
     compare: Compare, report: MakeReport
 ) -> None:

@@ -203,3 +203,47 @@ def test_an_order_of_folders_that_names_two_students_asks_a_person(
         "Иванов Игорь/s02/w.xlsx", signed(register, "s02"), register, pattern
     )
     assert signed_all_the_same.known_by is KnownBy.SIGNATURE
+
+
+def test_a_name_that_two_have_asks_which_of_them(register: "dict[str, Issued]") -> None:
+    pattern = path_pattern("{name} - *", register)
+    found = identify("Иванов - w.xlsx", NOTHING_INSIDE, register, pattern)
+    assert found.issued is None
+    assert "Иванов, is that of s01, ivanov_i" in str(found.doubt)
+    either = identify("Иванов - w.xlsx", signed(register, "ivanov_i"), register, pattern)
+    assert either.issued == register["ivanov_i"]
+    third = identify("Иванов - w.xlsx", signed(register, "s02"), register, pattern)
+    assert third.issued is None
+    assert "The workbook is that of s02" in str(third.doubt)
+
+
+def test_a_joined_person_is_found_by_the_earlier_id_and_name(
+    register: "dict[str, Issued]",
+) -> None:
+    entry = register["s02"]
+    former = replace(entry.student, id="old-7", name="Коваль Оксана")
+    known = {**register, "s02": replace(entry, joined=(former,))}
+    joined = {"old-7": "s02"}
+    by_id = path_pattern("{id}_*", {*known, *joined})
+    found = identify("old-7_w.xlsx", NOTHING_INSIDE, known, by_id, joined=joined)
+    assert found.issued == known["s02"]
+    by_name = path_pattern("{name} - *", known)
+    found = identify("Коваль Оксана - w.xlsx", NOTHING_INSIDE, known, by_name, joined=joined)
+    assert found.issued == known["s02"]
+
+
+def test_a_platform_may_write_a_person_as_the_register_did_before(
+    register: "dict[str, Issued]",
+) -> None:
+    entry = register["s02"]
+    known = {**register, "s02": replace(entry, student=replace(entry.student, name="Шевчук Ганна"))}
+    known["s07"] = replace(entry, student=replace(entry.student, id="s07", name="Шевчук Анна"))
+    file, said = "Шевчук Анна_201_assignsubmission_file/w.xlsx", signed(register, "s02")
+    assert identify(file, said, known).issued is None
+    former = {"s02": ("Шевчук Анна",)}
+    found = identify(file, said, known, former=former)
+    assert (found.issued, found.known_by) == (known["s02"], KnownBy.SIGNATURE)
+    other = {"s02": ("Шевчук А.",)}
+    assert identify(file, said, known, former={"s03": ("Шевчук Анна",)}).issued is None
+    assert identify("Иванов Игорь_9_assignsubmission_file/w.xlsx", said, known,
+                    former=other).issued is None  # fmt: skip

@@ -243,3 +243,26 @@ def test_a_list_that_is_mostly_of_columns_nobody_needs_has_headings(
         ("Абдуллаева Гюзель Рашидовна", "РТК-41"),
         ("Зайцев Артём Ёлкович", "РТК-41"),
     ]
+
+
+@pytest.mark.parametrize(
+    ("header", "row", "where"),
+    [
+        ("Student ID;Full name;Group", ";Popov Ilya;B-2", "row, in the column 'Student ID'"),
+        ("№ зачётки;ФИО;Группа", ";Popov Ilya;B-2", "row, in the column '№ зачётки'"),
+        ("Full name;Group", "Popov Ilya;B-2", "add a column 'id' to the list"),
+        ("ПІБ;Група", "Popov Ilya;B-2", "add a column 'код студента' to the list"),
+    ],
+)
+def test_it_is_said_under_which_heading_an_id_tells_who_it_is(
+    tmp_path: Path, header: str, row: str, where: str
+) -> None:
+    known = Student("7", "Popov Ilya", "B-1", "", "", "")
+    with pytest.raises(TableError) as caught:
+        read_roster(write(tmp_path, header, row), [known])
+    (problem,) = caught.value.problems
+    assert where in str(problem.remedy)
+    assert "write the id 7" in str(problem.remedy)
+    column = str(problem.remedy).split("'")[1]
+    answered = write(tmp_path, f"{column};Full name;Group", "7;Popov Ilya;B-2")
+    assert read_roster(answered, [known]).students[0].id == "7"

@@ -17,7 +17,12 @@ from gripcourse.issuing.allotment import Extended, Terms, extend
 from gripcourse.issuing.register import Register
 from gripcourse.issuing.register_file import old_register_path, write_register_file
 from gripcourse.issuing.signature import key_path, make_key, sign
-from gripcourse.issuing.store import VerifiedRegister, extend_register, read_register
+from gripcourse.issuing.store import (
+    VerifiedRegister,
+    extend_register,
+    read_register,
+    shelve_register,
+)
 from gripcourse.machine.database.home import address_path, gradebook_path, home_of
 from gripcourse.machine.database.opening import open_engine
 from gripcourse.variants.model import Issued, Student, Variant
@@ -98,6 +103,7 @@ class TestKeeping:
         with open_engine(home_of(root)).connect() as connection:
             names = connection.execute(text("SELECT name FROM register_person"))
             assert sorted(names.scalars()) == ["Борисов Н.", "Иванова Анна", "Петрова Анна"]
+        assert shelve_register(root, "small").former == {"anna": ("Иванова Анна",)}
 
     def test_what_is_refused_leaves_nothing(self, root: Path) -> None:
         with pytest.raises(TableError):

@@ -56,6 +56,27 @@ LEAST = "least = 0                 # told only where it is certain: a cell keeps
             "0 or a positive number",
         ),
         (
+            "relative = 0.01",
+            "relative = 0.06",
+            "tolerance.relative",
+            "With 0.06 here works that compute nothing earn points.",
+            "Write at most 0.05.",
+        ),
+        (
+            "calculated = 0.65",
+            "calculated = 0.2",
+            "credit.calculated",
+            "With 0.2 here works that compute nothing earn points.",
+            "Write at least 0.5.",
+        ),
+        (
+            "figures = 3 ",
+            "figures = 1 ",
+            "rounding.figures",
+            "With 1 here works that compute nothing earn points.",
+            "Write at least 2.",
+        ),
+        (
             '"mm" = 0.01',
             '"mm" = -0.01',
             "tolerance.floor.mm",

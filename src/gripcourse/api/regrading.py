@@ -54,6 +54,7 @@ def regrade(  # noqa: PLR0913 (the last ones are what everybody leaves as they a
     Raises:
         GripcourseError: the gradebook or the register cannot be used.
     """
+    from gripcourse.usecases.marks.batch_wish import BatchWish
     from gripcourse.usecases.marks.opening import grading_of
     from gripcourse.usecases.marks.regrade import as_decided
     from gripcourse.usecases.marks.regrade import regrade as ask
@@ -61,9 +62,10 @@ def regrade(  # noqa: PLR0913 (the last ones are what everybody leaves as they a
     workers = whole_number("workers", workers, 0)
     sources, _ = workbooks(files)
     context = grading_of(course.definition, course.policy)
-    pairs = [f"{file}={student}" for file, student in (whose or {}).items()]
+    pairs = tuple(f"{file}={student}" for file, student in (whose or {}).items())
     place = place_of(gradebook)
-    context = as_decided(context, sources, place, pairs, either_version=either_version)
+    wish = BatchWish(pairs, either_version=either_version)
+    context = as_decided(context, sources, place, wish)
     kept = _earlier(course, context, workers)
     return ask(sources, context, place, workers, datetime.now(UTC), on_done, kept=kept)
 

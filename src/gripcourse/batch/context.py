@@ -39,6 +39,7 @@ class GradingContext:
         joined: by id that was joined with another's, the id of the student; what was issued under
             it is among the student's earlier versions.
         joins: the same with their moments, in the order in which they were joined.
+        former: by student id, how the register wrote the person before.
     """
 
     course: Course
@@ -54,6 +55,7 @@ class GradingContext:
     declared: Mapping[str, Course] = field(default_factory=dict)
     joined: Mapping[str, str] = field(default_factory=dict)
     joins: tuple[Join, ...] = ()
+    former: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
 
 
 def handed_in_by(file: str, identity: Identity | None, context: GradingContext) -> HandedIn:
@@ -62,7 +64,8 @@ def handed_in_by(file: str, identity: Identity | None, context: GradingContext) 
     if student is not None:
         return named_by_person(student, identity, context.register, context.earlier)
     known, earlier = context.register, context.earlier
-    return identify(file, identity, known, context.pattern, earlier, context.joined)
+    pattern, joined, former = context.pattern, context.joined, context.former
+    return identify(file, identity, known, pattern, earlier, joined, former=former)
 
 
 def likely_composition(file: str, context: GradingContext) -> Composition | None:

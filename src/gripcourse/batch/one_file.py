@@ -11,6 +11,7 @@ from gripcourse.grading.flags import not_judged_flags
 from gripcourse.grading.identify import HandedIn
 from gripcourse.grading.judge import judge
 from gripcourse.grading.made_for import (
+    BY_TODAYS,
     is_of_other_declarations,
     said_of_both,
     said_of_version,
@@ -121,16 +122,19 @@ def judge_versions(raw: RawWorkbook, made_for: Issued, context: GradingContext) 
     if not others:
         return replace(report, remarks=(*said, *report.remarks))
     tried = [(made_for, report), *((one, judge_read(raw, one, context)) for one in others)]
+    tried = [(one, _by_better_declarations(found, raw, one, context)) for one, found in tried]
     judged = [(one, found) for one, found in tried if found.judged]
     # Of equal ones the first: that is the version that the workbook was made for.
     counts, best = max(judged, key=lambda pair: _share(pair[1]))
     rest = [(one, found) for one, found in judged if one is not counts]
     shares = [_share(found) for found in (best, *(found for _, found in rest))]
     both = said_of_both(counts, [one for one, _ in rest], shares)
+    is_of_today = is_of_other_declarations(counts, versions[-1]) and not best.declarations
+    by_what = (BY_TODAYS,) if is_of_today else ()
     own_flags = (flag for flag in report.flags if flag.code is not FlagCode.NOT_JUDGED)
     return replace(
         best,
-        remarks=(both, *report.remarks),
+        remarks=(both, *by_what, *report.remarks),
         flags=(*own_flags, *not_judged_flags(tuple(best.findings))),
         givens=report.givens,
         made_for=made_for.version,
@@ -144,14 +148,30 @@ def _share(report: Report) -> float:
     return report.score / possible if possible else 0.0
 
 
-def judge_read(raw: RawWorkbook, issued: Issued, context: GradingContext) -> Report:
+def _by_better_declarations(
+    found: Report, raw: RawWorkbook, issued: Issued, context: GradingContext
+) -> Report:
+    """Return what a version comes to by its own declarations or by today's: what gives more.
+
+    Whoever computed by the formula as it is right has not to suffer from another on the sheet.
+    """
+    if not found.declarations:
+        return found
+    today = judge_read(raw, issued, context, by_todays=True)
+    return max(found, today, key=_share) if today.judged else found
+
+
+def judge_read(
+    raw: RawWorkbook, issued: Issued, context: GradingContext, *, by_todays: bool = False
+) -> Report:
     """Judge a workbook that was read against what was issued to who handed it in.
 
     A version that another one by other declarations replaced is judged by its own, where they were
-    kept; everything else by today's.
+    kept and today's are not asked for; everything else by today's.
     """
     last = context.register.get(issued.student.id, issued)
-    own = issued.declarations if is_of_other_declarations(issued, last) else ""
+    replaced = is_of_other_declarations(issued, last) and not by_todays
+    own = issued.declarations if replaced else ""
     declarations = own if own in context.declared else ""
     plan, methods = _methods(context, declarations, issued.variant.composition)
     submission = interpret(raw, plan.quantities.values())

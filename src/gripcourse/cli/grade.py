@@ -26,6 +26,7 @@ from gripcourse.cli.options import (
     GradebookOption,
     LanguageOption,
     OutOption,
+    PatternOption,
     RecalculateOption,
     WhoseOption,
     WhyOption,
@@ -74,12 +75,7 @@ def grade(  # noqa: PLR0913 (one parameter per option)
             "default: the file's own time.",
         ),
     ] = None,
-    pattern: Annotated[
-        str | None,
-        typer.Option(
-            "--pattern", metavar="pattern", help="Where your own paths say whose a file is."
-        ),
-    ] = None,
+    pattern: PatternOption = None,
     either_version: EitherVersionOption = None,
     recalculate: RecalculateOption = False,
     afresh: AfreshOption = False,

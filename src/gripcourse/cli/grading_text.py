@@ -2,12 +2,13 @@
 
 from array import array
 from collections import Counter
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from gripcourse.cli import times_text
 from gripcourse.cli.missing_text import missing_text
+from gripcourse.cli.pattern_text import without_fit
 from gripcourse.cli.table_layout import table_text
 from gripcourse.grading.flag_code import FlagCode
 from gripcourse.machine.shelf import Shelved
@@ -20,6 +21,7 @@ from gripcourse.text.words import Words, counted, message
 if TYPE_CHECKING:
     from gripcourse.batch.context import GradingContext
     from gripcourse.cli.demo.run import Demo
+    from gripcourse.gradebook.counted import CountedWork
     from gripcourse.gradebook.waiting import Waiting
     from gripcourse.grading.model import Report
     from gripcourse.usecases.grading.grade import GradingOutcome
@@ -114,6 +116,7 @@ def batch_text(outcome: "GradingOutcome", out: Path, words: Words) -> str:
     if asks:
         said = message("Ask, then grade again and say so, for example --whose s002.xlsx=s003.")
         lines.append(words.say(said))
+    lines += without_fit(outcome.unfitting, outcome.reports, words)
     lines += _passed_over(outcome, words)
     lines += times_text.without_times(outcome.reports, words)
     lines += times_text.without_deadlines(outcome.undated, words)
@@ -219,19 +222,40 @@ def _passed_over(outcome: "GradingOutcome", words: Words) -> Iterator[str]:
             yield words.say(said)
 
 
-def waiting_text(waits: Sequence["Waiting"], context: "GradingContext", words: Words) -> str:
-    """Return what waits for a person as a table."""
+def waiting_text(
+    waits: Sequence["Waiting"],
+    instead: Mapping[str, "CountedWork"],
+    context: "GradingContext",
+    words: Words,
+) -> str:
+    """Return what waits for a person as a table.
+
+    Args:
+        waits: items, each with the file of the student's last work.
+        instead: by student, the work that counts where it is another one.
+        context: of the course.
+        words: the reader's language.
+    """
     from gripcourse.usecases.marks.called import item_with_id, student_with_id
 
     if not waits:
         return words.say(message("Nothing waits for the instructor."))
-    again = words.say(message("marked; look again"))
+
+    def told(one: "Waiting") -> str:
+        said = [words.say(message("marked; look again"))] if one.again else []
+        counted = instead.get(one.student)
+        if counted is not None and counted.timing is not None:
+            file, number = one_line(Path(counted.attempt.file).name), counted.timing.number
+            counts = message("attempt {number} counts: {file}", number=number, file=file)
+            said.append(words.say(counts))
+        return "; ".join(said)
+
     rows = [
         (
             student_with_id(one.student, context),
             item_with_id(one.student, one.quantity, context, words.language),
             one_line(Path(one.file).name),
-            again if one.again else "",
+            told(one),
         )
         for one in waits
     ]

@@ -85,6 +85,7 @@ def mark(  # noqa: PLR0913 (one parameter per option)
     """Mark what a person judges; kept for good, and part of every report from the next grading."""
     from gripcourse.gradebook.enter import Draft
     from gripcourse.usecases.marks import mark as command
+    from gripcourse.usecases.marks.counting import counting_instead
     from gripcourse.usecases.marks.opening import open_grading
 
     words = words_for(language)
@@ -107,7 +108,8 @@ def mark(  # noqa: PLR0913 (one parameter per option)
             if kept is not None:
                 confirm(words.say(cli_text.kept_former(out, kept)))
         else:
-            typer.echo(grading_text.waiting_text(waits, context, words))
+            instead = counting_instead(place, {one.student for one in waits}, context)
+            typer.echo(grading_text.waiting_text(waits, instead, context, words))
         raise typer.Exit(NEEDS_PERSON if waits else DONE)
     context, marker, now = open_grading(root), by or getpass.getuser(), datetime.now(UTC)
     if table is not None:

@@ -100,6 +100,10 @@ WhoseOption = Annotated[
         "--whose", metavar="file=student", help="Who handed a file in, where it is in doubt."
     ),
 ]
+PatternOption = Annotated[
+    str | None,
+    typer.Option("--pattern", metavar="pattern", help="Where your own paths say whose a file is."),
+]
 EitherVersionOption = Annotated[
     bool | None,
     typer.Option(

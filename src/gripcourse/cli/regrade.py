@@ -23,6 +23,7 @@ from gripcourse.cli.options import (
     EitherVersionOption,
     GradebookOption,
     LanguageOption,
+    PatternOption,
     WhoseOption,
     WhyOption,
     WorkersOption,
@@ -60,6 +61,7 @@ def regrade(  # noqa: PLR0913 (one parameter per option)
     allow_lower: AllowLowerOption = False,
     by: ByOption = None,
     whose: WhoseOption = None,
+    pattern: PatternOption = None,
     either_version: EitherVersionOption = None,
     workers: WorkersOption = PROCESSORS,
     gradebook: GradebookOption = None,
@@ -73,6 +75,7 @@ def regrade(  # noqa: PLR0913 (one parameter per option)
     from gripcourse.usecases.grading.unchanged import open_earlier
     from gripcourse.usecases.grading.versions import EARLIER, versions_of
     from gripcourse.usecases.marks import regrade as command
+    from gripcourse.usecases.marks.batch_wish import BatchWish
     from gripcourse.usecases.marks.opening import open_grading
 
     words = words_for(language)
@@ -87,13 +90,12 @@ def regrade(  # noqa: PLR0913 (one parameter per option)
     root = course_folder(course)
     # Who has looked before mostly looks at the same again.
     is_new = not (root / "private" / EARLIER).exists()
+    wish = BatchWish(tuple(whose or ()), pattern=pattern, either_version=either_version)
     with reading_ahead(files, workers if is_new else 0) as ahead:
         versions = versions_of(root)
         context = open_grading(root)
         place, now = gradebook_place(gradebook, context.course.root), datetime.now(UTC)
-        context = command.as_decided(
-            context, files, place, whose or (), either_version=either_version
-        )
+        context = command.as_decided(context, files, place, wish)
         earlier = None
         # Whoever may not write there looks, too, but pays for every look.
         with suppress(OSError):

@@ -33,6 +33,7 @@ _HEADS = (
 )
 _VERSIONS = {
     "engine": message("the program"),
+    "version": message("the version"),
     "course": message("the course"),
     "policy": message("the policy"),
 }
@@ -183,7 +184,10 @@ def _left_out(found: "Regrading", context: "GradingContext", words: Words) -> It
             [student_with_id(one.work.student, context) for one in found.lost],
         ),
         (
-            message("The gradebook does not know these files; grade them first: {names}."),
+            message(
+                "The gradebook does not know these files; grade them first, and where --whose or"
+                " --pattern said whose they are, say it here as well: {names}."
+            ),
             [shown(Path(one).name) for one in found.strangers],
         ),
         (

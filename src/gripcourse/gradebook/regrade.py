@@ -24,6 +24,7 @@ class ChangedPart(StrEnum):
     """What may have changed between two gradings."""
 
     ENGINE = "engine"
+    VERSION = "version"  # of the assignment, that the work is judged by
     COURSE = "course"
     POLICY = "policy"
 
@@ -113,10 +114,19 @@ def change_of(
 
 
 def _versions(old: Attempt, new: Attempt) -> Iterator[ChangedPart]:
-    for version in ChangedPart:
-        before, after = (getattr(one.fingerprints, version.value) for one in (old, new))
-        if before != after:
-            yield version
+    """Yield what is another; of another version of the assignment the course may be that of then.
+
+    Nobody has changed the course where a work is judged by the version before.
+    """
+    before, after = old.fingerprints, new.fingerprints
+    if before.engine != after.engine:
+        yield ChangedPart.ENGINE
+    if old.version != new.version:
+        yield ChangedPart.VERSION
+    elif before.course != after.course:
+        yield ChangedPart.COURSE
+    if before.policy != after.policy:
+        yield ChangedPart.POLICY
 
 
 def _items(old: Attempt, new: Attempt) -> Iterator[ItemChange]:

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from gripcourse.course.quantity import Choice, Quantity, Rounding
 from gripcourse.formula.evaluate import evaluate_number
+from gripcourse.formula.tree import Formula
 from gripcourse.grading.comparison import Comparison
 from gripcourse.grading.size_condition import Satisfies, conditions_at_own
 from gripcourse.slips.model import SlipId
@@ -100,8 +101,16 @@ def sizes_at(plan: Plan, name: str, numbers: PlainNumbers, margin: float = 0.0) 
         numbers: at which it is taken.
         margin: share by which what is required may be another.
     """
-    quantity, formula = plan.quantities[name], plan.reference_formula(name)
-    if quantity.choice is None or formula is None:
+    formula = plan.reference_formula(name)
+    return [] if formula is None else sizes_by(plan, name, formula, numbers, margin)
+
+
+def sizes_by(
+    plan: Plan, name: str, formula: Formula, numbers: PlainNumbers, margin: float = 0.0
+) -> list[float]:
+    """Do the same where a formula, the reference's or another reading's, says what is required."""
+    quantity = plan.quantities[name]
+    if quantity.choice is None:
         return []
     required = evaluate_number(formula, quantity.unit, numbers.values, plan.columns)
     columns = (quantity.choice.column, *quantity.choice.also)

@@ -7,21 +7,26 @@ another's name: a person asks.
 """
 
 import unicodedata
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from itertools import chain
 from pathlib import PurePath
 from types import MappingProxyType
+from typing import Final
 
 from gripcourse.grading.known_by import KnownBy
 from gripcourse.grading.made_for import is_signed_as, version_made_for, versions_of
 from gripcourse.grading.path_pattern import PathPattern
 from gripcourse.grading.platforms import PlatformPart, platform_part
 from gripcourse.submission.model import Identity
+from gripcourse.text.shown import first_of
 from gripcourse.text.words import Message, message
 from gripcourse.variants.model import Issued, names_of
 
 _NONE_EARLIER: Mapping[str, Sequence[Issued]] = MappingProxyType({})
 _NONE_JOINED: Mapping[str, str] = MappingProxyType({})
+_NONE_FORMER: Mapping[str, Sequence[str]] = MappingProxyType({})
+_SHOWN: Final = 5  # namesakes
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,13 +48,34 @@ class HandedIn:
 _NOBODYS = HandedIn(None, KnownBy.NOTHING)
 
 
-def identify(
+@dataclass(frozen=True, slots=True)
+class _People:
+    """Whom a path may name: entries, ids that were joined with others', and former names."""
+
+    register: Mapping[str, Issued]
+    joined: Mapping[str, str]
+    former: Mapping[str, Sequence[str]]
+
+    def id_of(self, id_: str) -> str:
+        """Return the id by which the register knows whom an id names."""
+        return self.joined.get(id_, id_)
+
+    def names_of(self, entry: Issued) -> Iterator[str]:
+        """Yield how a person is written, was before, and is under ids that were joined."""
+        id_ = entry.student.id
+        second = self.register[id_].joined if id_ in self.register else ()
+        yield from (entry.student.name, *self.former.get(id_, ()), *(one.name for one in second))
+
+
+def identify(  # noqa: PLR0913 (all that may tell it)
     file: str,
     identity: Identity | None,
     register: Mapping[str, Issued],
     pattern: PathPattern | None = None,
     earlier: Mapping[str, Sequence[Issued]] = _NONE_EARLIER,
     joined: Mapping[str, str] = _NONE_JOINED,
+    *,
+    former: Mapping[str, Sequence[str]] = _NONE_FORMER,
 ) -> HandedIn:
     """Tell who handed a file in, and which version of the assignment it was made for.
 
@@ -60,15 +86,18 @@ def identify(
         pattern: of the instructor's own order of folders; None for none.
         earlier: versions before those of the register by student id, oldest first.
         joined: by id that was joined with another's, the id of the student.
+        former: by student id, how the register wrote the person before: a platform may still.
     """
-    by_path = _by_path(file, register, pattern, joined)
-    named = "" if identity is None else _person(identity.student, joined)
+    people = _People(register, joined, former)
+    stated = None if pattern is None else pattern.part_of(file)
+    by_path = _by_path(file, stated, people)
+    named = "" if identity is None else people.id_of(identity.student)
     if identity is not None and named in register:
         made_for = version_made_for(identity, versions_of(named, register, earlier))
         if is_signed_as(identity, made_for):
-            if _person(identity.other, joined) in register:
+            if people.id_of(identity.other) in register:
                 return _doubtful(_two_inside(identity))
-            said = _contradiction(file, made_for, by_path, register)
+            said = _contradiction(file, made_for, by_path, stated, people)
             return _doubtful(said) if said else HandedIn(made_for, KnownBy.SIGNATURE)
     if by_path.issued is None:
         return _doubtful(_unsigned(named)) if named in register else by_path
@@ -87,52 +116,48 @@ def named_by_person(
     return HandedIn(made_for, KnownBy.PERSON)
 
 
-def _person(id_: str, joined: Mapping[str, str]) -> str:
-    """Return the id by which the register knows whom an id names."""
-    return joined.get(id_, id_)
-
-
-def _by_path(
-    file: str,
-    register: Mapping[str, Issued],
-    pattern: PathPattern | None,
-    joined: Mapping[str, str],
-) -> HandedIn:
+def _by_path(file: str, stated: PlatformPart | None, people: _People) -> HandedIn:
     """Tell whose a path says it is; a platform's part of it leaves the rest nothing to say."""
-    stated = None if pattern is None else pattern.part_of(file)
+    register = people.register
     if stated is not None:
-        entry = _of_pattern(stated, register, joined)
-        if entry is not None and (other := _other_by_name(stated, entry, register)):
+        named = _of_pattern(stated, people)
+        if len(named) > 1:
+            return _doubtful(_several_of_name(stated.name, named))
+        entry = register[named[0]] if named else None
+        if entry is not None and (other := _other_by_name(stated, entry, people)):
             return _doubtful(_two_in_path(entry.student.id, other))
         return HandedIn(entry, KnownBy.PLATFORM if entry else KnownBy.NOTHING)
     part = platform_part(file)
     if part is not None:
-        entry = _of_platform(part, register, joined)
+        entry = _of_platform(part, people)
         return HandedIn(entry, KnownBy.PLATFORM if entry else KnownBy.NOTHING)
     path = PurePath(unicodedata.normalize("NFC", file))
     # Handouts are folders named after their students; a bare number may count anything.
     folder = path.parent.name if not path.parent.name.isdecimal() else ""
-    called = dict.fromkeys(_person(one, joined) for one in (path.stem, folder))
+    called = dict.fromkeys(people.id_of(one) for one in (path.stem, folder))
     told = [one for one in called if one in register]
     if len(told) > 1:
         return _doubtful(_two_in_path(*told))
     return HandedIn(register[told[0]], KnownBy.FILE_NAME) if told else _NOBODYS
 
 
-def _of_pattern(
-    part: PlatformPart, register: Mapping[str, Issued], joined: Mapping[str, str]
-) -> Issued | None:
-    """Return whom an instructor's own pattern names; a name only where one student has it."""
+def _of_pattern(part: PlatformPart, people: _People) -> Sequence[str]:
+    """Return the ids of whom an instructor's own pattern names; of several who share a name all."""
+    register, joined = people.register, people.joined
     if part.identifier:
-        return register.get(_person(part.identifier, joined))
-    named = [student for student, name in names_of(register) if part.is_named(name)]
-    return register[named[0]] if len(named) == 1 else None
+        student = people.id_of(part.identifier)
+        return [student] if student in register else []
+    second = (
+        (student, person.name)
+        for student in sorted(set(joined.values()) & register.keys())
+        for person in register[student].joined
+    )
+    named = (student for student, name in chain(names_of(register), second) if part.is_named(name))
+    return list(dict.fromkeys(named))
 
 
-def _of_platform(
-    part: PlatformPart, register: Mapping[str, Issued], joined: Mapping[str, str]
-) -> Issued | None:
-    entry = register.get(_person(part.identifier, joined))
+def _of_platform(part: PlatformPart, people: _People) -> Issued | None:
+    entry = people.register.get(people.id_of(part.identifier))
     if entry is None:
         return None
     # Platforms number people and attempts by themselves: such a number is a student's id only where
@@ -142,23 +167,37 @@ def _of_platform(
 
 
 def _contradiction(
-    file: str, signed: Issued, by_path: HandedIn, register: Mapping[str, Issued]
+    file: str, signed: Issued, by_path: HandedIn, stated: PlatformPart | None, people: _People
 ) -> Message | None:
-    """Say what speaks against the student of a signed workbook."""
+    """Say what speaks against the student of a signed workbook.
+
+    Args:
+        file: path of the file.
+        signed: what the workbook is.
+        by_path: whose the path says it is.
+        stated: what an instructor's own pattern finds in the path; None for nothing.
+        people: whom a path may name.
+    """
     student = signed.student
     if by_path.issued is not None:
         told = by_path.issued.student.id
         return None if told == student.id else _two_names(student.id, told)
-    part = platform_part(file)
-    other = "" if part is None else _other_by_name(part, signed, register)
+    if stated is not None and people.id_of(stated.identifier) == student.id:
+        return None
+    part = stated or platform_part(file)
+    other = "" if part is None else _other_by_name(part, signed, people)
     return _two_names(student.id, other) if other else None
 
 
-def _other_by_name(part: PlatformPart, entry: Issued, register: Mapping[str, Issued]) -> str:
-    """Return the id of another student whose name a path bears; empty where it is this one's."""
-    if part.is_named(entry.student.name):
+def _other_by_name(part: PlatformPart, entry: Issued, people: _People) -> str:
+    """Return the id of another student whose name a path bears; empty where it is this one's.
+
+    A platform may write a person as the register did before, or as under an id that was joined.
+    """
+    if any(part.is_named(name) for name in people.names_of(entry)):
         return ""
-    return next((student for student, name in names_of(register) if part.is_named(name)), "")
+    known = names_of(people.register)
+    return next((student for student, name in known if part.is_named(name)), "")
 
 
 def _doubtful(said: Message) -> HandedIn:
@@ -171,6 +210,15 @@ def _two_in_path(student: str, other: str) -> Message:
         " was not graded and nobody's mark changes.",
         student=student,
         other=other,
+    )
+
+
+def _several_of_name(name: str, students: Sequence[str]) -> Message:
+    return message(
+        "Who handed this in? The name in the path, {name}, is that of {students}. It was not graded"
+        " and nobody's mark changes.",
+        name=name,
+        students=first_of(students, _SHOWN),
     )
 
 

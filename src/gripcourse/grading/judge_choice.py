@@ -9,8 +9,9 @@ from gripcourse.course.quantity import Rounding
 from gripcourse.formula.tree import Name
 from gripcourse.grading.choices import judge_choice, largest_size, printed_choice, same_size
 from gripcourse.grading.comparison import Comparison, Judgement, conclude
-from gripcourse.grading.judge_value import ANOTHER_READING, other_reading
+from gripcourse.grading.judge_value import ANOTHER_READING
 from gripcourse.grading.model import Against, Outcome
+from gripcourse.grading.other_versions import as_printed, read_otherwise
 from gripcourse.grading.rounding import endings, kept_figures
 from gripcourse.grading.size_condition import Satisfies, by_formulas, conditions_at_own
 from gripcourse.grading.through_blank import through_blank
@@ -167,7 +168,7 @@ def _judge_alternative(comparison: Comparison, chosen: float) -> Judgement | Non
                 Against.ALTERNATIVE,
                 1.0,
                 ANOTHER_READING,
-                remarks=(other_reading(other),),
+                remarks=(read_otherwise(other),),
             )
     return None
 
@@ -178,10 +179,5 @@ def _judge_printed(comparison: Comparison, chosen: float, required: float) -> Ju
     if printed is None or credit is None or not same_size(chosen, printed):
         return None
     erratum = next(one for one in comparison.quantity.as_printed if one.rounding is not None)
-    remark = message(
-        "As the source prints it (erratum {erratum}): {note}",
-        erratum=erratum.erratum,
-        note=erratum.note,
-    )
-    said = message("Accepted as the source prints it.")
-    return conclude(comparison, Outcome.CORRECT, Against.PRINTED, credit, said, remarks=(remark,))
+    said, remarks = message("Accepted as the source prints it."), (as_printed(erratum),)
+    return conclude(comparison, Outcome.CORRECT, Against.PRINTED, credit, said, remarks=remarks)

@@ -4,12 +4,13 @@ import math
 from collections.abc import Iterator
 from typing import Final
 
-from gripcourse.course.quantity import Alternative, Kind
+from gripcourse.course.quantity import Kind
 from gripcourse.formula.tree import Formula
 from gripcourse.grading.comparison import Comparison, ExpectedRange, Judgement, conclude
 from gripcourse.grading.judge_blank import judge_through_blank
 from gripcourse.grading.judge_rough import judge_rough
 from gripcourse.grading.model import Against, Outcome
+from gripcourse.grading.other_versions import as_printed, read_otherwise
 from gripcourse.grading.past_table import follows_from_the_last_row
 from gripcourse.grading.shortened import judge_shortened
 from gripcourse.slips.model import SlipId
@@ -107,13 +108,8 @@ def _alternatives(comparison: Comparison) -> Iterator[Judgement]:
                 Against.ALTERNATIVE,
                 1.0,
                 ANOTHER_READING,
-                remarks=(other_reading(other),),
+                remarks=(read_otherwise(other),),
             )
-
-
-def other_reading(other: Alternative) -> Message:
-    """Say how an answer was read."""
-    return message("Read otherwise: {remark}", remark=other.remark)
 
 
 def _fits_formula(comparison: Comparison, formula: Formula) -> bool:
@@ -126,11 +122,7 @@ def _printed(comparison: Comparison) -> Iterator[Judgement]:
     for printed in comparison.quantity.as_printed:
         if printed.formula is None or not _fits_formula(comparison, printed.formula):
             continue
-        remark = message(
-            "As the source prints it (erratum {erratum}): {note}",
-            erratum=printed.erratum,
-            note=printed.note,
-        )
+        remark = as_printed(printed)
         credit = comparison.policy.printed_credit
         if credit is None:
             said = message("As the source prints it; this course does not accept the erratum.")
@@ -141,7 +133,7 @@ def _printed(comparison: Comparison) -> Iterator[Judgement]:
                 0.0,
                 said,
                 slip=SlipId.declared(printed.erratum),
-                remarks=() if remark is None else (remark,),
+                remarks=(remark,),
             )
         else:
             said = message("Accepted as the source prints it.")
@@ -151,7 +143,7 @@ def _printed(comparison: Comparison) -> Iterator[Judgement]:
                 Against.PRINTED,
                 credit,
                 said,
-                remarks=() if remark is None else (remark,),
+                remarks=(remark,),
             )
 
 

@@ -2,10 +2,16 @@
 
 import hmac
 from collections.abc import Iterable, Mapping, Sequence
+from typing import Final
 
 from gripcourse.submission.model import Identity
 from gripcourse.text.words import Message, message
 from gripcourse.variants.model import Issued
+
+BY_TODAYS: Final = message(
+    "Formulas and tolerances are today's, which give more than those that this version was issued"
+    " with."
+)
 
 
 def is_signed_as(identity: Identity, issued: Issued) -> bool:

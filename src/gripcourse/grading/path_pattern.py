@@ -1,8 +1,12 @@
-"""Where an instructor's own order of folders says whose a file is: `{name}/{id}*.xlsx`."""
+"""Where an instructor's own order of folders says whose a file is: `{name}/{id}*.xlsx`.
+
+Students choose names of files, so no name may cost time: a part of a path is compared from its end,
+each sign once for each piece of the pattern, and nothing is ever tried again.
+"""
 
 import re
 import unicodedata
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from pathlib import PurePath
 from typing import Final
@@ -11,25 +15,79 @@ from gripcourse.errors import Problem, UsageError
 from gripcourse.grading.platforms import PlatformPart
 from gripcourse.text.words import message
 
-_TOKEN: Final = re.compile(r"\{id\}|\{name\}|\*|\?")
-_ANY: Final = {"*": "[^/]*", "?": "[^/]", "{name}": "(?P<name>[^/]+)"}
-_WHOLE: Final = r"(?![^\W_])"  # no letter and no digit follows: s1 is not the beginning of s10
+_ID: Final = "{id}"
+_NAME: Final = "{name}"
+_ANY: Final = "*"
+_ONE: Final = "?"
+_PIECE: Final = re.compile(r"\{id\}|\{name\}|\*|\?|[^{}*?]+")
 
 
 @dataclass(frozen=True, slots=True)
 class PathPattern:
-    """A pattern of paths; see `path_pattern`."""
+    """A pattern of paths; see `path_pattern`.
 
-    expression: re.Pattern[str]
+    Attributes:
+        written: as the instructor wrote it.
+        parts: pieces of each part between strokes: signs that stand for something, and plain text.
+        ids: of the register.
+    """
+
+    written: str
+    parts: tuple[tuple[str, ...], ...]
+    ids: frozenset[str]
 
     def part_of(self, file: str) -> PlatformPart | None:
         """Return whose a file is by its path; None where the path is of another form."""
-        path = unicodedata.normalize("NFC", PurePath(file).as_posix())
-        found = self.expression.fullmatch(path)
-        if found is None:
+        path = unicodedata.normalize("NFC", PurePath(file).as_posix()).split("/")
+        if len(path) < len(self.parts):
             return None
-        parts = found.groupdict("")
-        return PlatformPart(parts.get("id", ""), parts.get("name", ""), joined=False)
+        found: dict[str, str] = {}
+        for pieces, part in zip(self.parts, path[-len(self.parts) :], strict=True):
+            told = self._told(pieces, part)
+            if told is None:
+                return None
+            found |= told
+        return PlatformPart(found.get(_ID, ""), found.get(_NAME, ""), joined=False)
+
+    def _told(self, pieces: tuple[str, ...], part: str) -> Mapping[str, str] | None:
+        """Return what stands for id and name where a part of a path is of a form; else None.
+
+        What may be of any length is as long as can be, the first before the others.
+        """
+        # Where in the part each piece may begin, so that all that follows fits, to the end.
+        begins = [{len(part)}]
+        for piece in reversed(pieces):
+            after = begins[0]
+            begins.insert(0, {at for at in range(len(part) + 1) if self._end(piece, part, at, after)
+                              is not None})  # fmt: skip
+        if 0 not in begins[0]:
+            return None
+        at, told = 0, {}
+        for piece, after in zip(pieces, begins[1:], strict=True):
+            end = self._end(piece, part, at, after)
+            if end is None:
+                return None
+            if piece in {_ID, _NAME}:
+                told[piece] = part[at:end]
+            at = end
+        return told
+
+    def _end(self, piece: str, part: str, at: int, after: set[int]) -> int | None:
+        """Return where a piece that begins somewhere ends last; None where it cannot."""
+        if piece in {_ANY, _NAME}:
+            least = at + (piece == _NAME)
+            last = max(after, default=-1)
+            return last if last >= least else None
+        if piece == _ONE:
+            return at + 1 if at + 1 in after else None
+        if piece == _ID:
+            return max((end for end in after if self._is_id(part, at, end)), default=None)
+        end = at + len(piece)
+        return end if end in after and part.startswith(piece, at) else None
+
+    def _is_id(self, part: str, at: int, end: int) -> bool:
+        """Tell whether an id stands there, wholly: s1 is not the beginning of s10."""
+        return part[at:end] in self.ids and not (end < len(part) and part[end].isalnum())
 
 
 def path_pattern(written: str, ids: Iterable[str]) -> PathPattern:
@@ -43,17 +101,20 @@ def path_pattern(written: str, ids: Iterable[str]) -> PathPattern:
     Raises:
         UsageError: it says nothing of a student, or says it twice.
     """
-    tokens = _TOKEN.findall(written)
-    rest = _TOKEN.sub("", written)
-    named = [one for one in tokens if one.startswith("{")]
-    if not named or len(set(named)) != len(named) or set("{}") & set(rest):
+    pieces = _PIECE.findall(written)
+    named = [one for one in pieces if one in {_ID, _NAME}]
+    if not named or len(set(named)) != len(named) or "".join(pieces) != written:
         what = message("'{text}' does not say where a student's id or name stands.", text=written)
         remedy = message("Write {id} or {name}, each once, for example {example}.",
                          id="{id}", name="{name}", example="{name}/{id}*.xlsx")  # fmt: skip
         raise UsageError([Problem("", "", what, remedy, parameter="pattern")])
-    longest_first = sorted(map(re.escape, ids), key=len, reverse=True)
-    known = f"(?P<id>{'|'.join(longest_first) or '(?!)'}){_WHOLE}"
-    literals = [re.escape(one) for one in _TOKEN.split(unicodedata.normalize("NFC", written))]
-    expressions = [known if one == "{id}" else _ANY[one] for one in tokens]
-    joined = "".join(one + two for one, two in zip(literals, [*expressions, ""], strict=True))
-    return PathPattern(re.compile(f"(?:.*/)?{joined}", re.DOTALL))
+    path = unicodedata.normalize("NFC", PurePath(written).as_posix())
+    parts = tuple(tuple(_PIECE.findall(part)) for part in path.split("/"))
+    return PathPattern(written, parts, frozenset(ids))
+
+
+def fits_none(pattern: PathPattern | None, files: Iterable[str]) -> str:
+    """Return a pattern as it was written where it fits none of the files; else nothing."""
+    if pattern is None or any(pattern.part_of(file) is not None for file in files):
+        return ""
+    return pattern.written

@@ -7,10 +7,11 @@ gets a second variant before a person has said so.
 
 import re
 import unicodedata
-from collections.abc import Collection, Iterable, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from typing import Final, TypeAlias
+from typing import Final
 
+from gripcourse.issuing.asked_about import ADDED, IdColumn, Said, by_id, doubles, joined_doubles
 from gripcourse.issuing.known_people import KnownPeople
 from gripcourse.issuing.same_person import (
     has_cut_id,
@@ -21,7 +22,6 @@ from gripcourse.issuing.same_person import (
     letters_of,
     may_be,
 )
-from gripcourse.text.spelling import as_seen
 from gripcourse.text.words import Message, counted, message
 from gripcourse.variants.model import Student
 
@@ -29,9 +29,6 @@ _NOT_OF_ID = re.compile(r"[^\w.-]+")
 _NUMBER_BEHIND = re.compile(r"-\d+$")
 _LONGEST = 48  # leaves room for a number behind it
 _NAMED = 10  # ids that a note names
-
-Said: TypeAlias = tuple[Message, Message]
-"""What is wrong, and the remedy."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -55,7 +52,10 @@ NOBODY: Final = Joined()
 
 
 def with_ids(
-    students: Sequence[Student], known: Sequence[Student], joined: Joined = NOBODY
+    students: Sequence[Student],
+    known: Sequence[Student],
+    joined: Joined = NOBODY,
+    column_at: Callable[[int], IdColumn] = lambda _: ADDED,
 ) -> tuple[tuple[Student, ...], tuple[Message, ...], list[tuple[int, Said]]]:
     """Give everybody the id by which the register knows them, and one to each who has none.
 
@@ -63,6 +63,7 @@ def with_ids(
         students: of one list, names not empty.
         known: of earlier lists, each with an id.
         joined: which of these have been called otherwise.
+        column_at: tells of a place in the list where an id is written there.
 
     Returns:
         The students in their order; notes where ids were made, or are others than the list's; by
@@ -77,9 +78,10 @@ def with_ids(
         "" if id_ else _as_before(one, register, kept_ids) for one, id_ in _pairs(students, found)
     ]
     ids = [one or other for one, other in zip(found, again, strict=True)]
-    problems = _doubles(students, [place for place, one in enumerate(students) if not one.id])
-    problems += _joined_doubles(students, ids, joined)
-    problems += _doubtful(students, ids, known)
+    without_id = [place for place, one in enumerate(students) if not one.id]
+    problems = doubles(students, without_id, column_at)
+    problems += joined_doubles(students, ids, joined.ids)
+    problems += _doubtful(students, ids, known, column_at)
     taken = {one.id.casefold() for one in (*students, *known, *joined.students) if one.id}
     made: list[str] = []
     numbers: dict[str, int] = {}
@@ -162,7 +164,10 @@ def _is_made(student: Student) -> bool:
 
 
 def _doubtful(
-    students: Sequence[Student], ids: Sequence[str], known: Iterable[Student]
+    students: Sequence[Student],
+    ids: Sequence[str],
+    known: Iterable[Student],
+    column_at: Callable[[int], IdColumn],
 ) -> list[tuple[int, Said]]:
     """Return those new ones who may be known: who changed group, address or the way of writing."""
     listed = {*ids}
@@ -181,57 +186,7 @@ def _doubtful(
                 id=same.id,
                 group=group,
             )
-            remedy = message(
-                "The same person: write the id {id} into the row. Somebody else: write both into"
-                " the list, each with an id.",
-                id=same.id,
-            )
-            found.append((place, (what, remedy)))
-    return found
-
-
-def _joined_doubles(
-    students: Sequence[Student], ids: Sequence[str], joined: Joined
-) -> list[tuple[int, Said]]:
-    """Return rows of somebody who is in the list already, under an id that was joined with it."""
-    names = {id_: former for former, id_ in joined.ids.items()}
-    first: dict[str, int] = {}
-    found: list[tuple[int, Said]] = []
-    for place, id_ in enumerate(ids):
-        if id_ in names and first.setdefault(id_, place) != place:
-            what = message(
-                "'{name}' is in the list already: {joined} was joined with {id}.",
-                name=students[place].name,
-                joined=names[id_],
-                id=id_,
-            )
-            remedy = message("Leave one of the two rows, or take the joining back.")
-            found.append((place, (what, remedy)))
-    return found
-
-
-def _doubles(students: Sequence[Student], nameless: Sequence[int]) -> list[tuple[int, Said]]:
-    """Return those without ids who cannot be told from somebody above them."""
-    seen: set[tuple[str, ...]] = set()
-    found: list[tuple[int, Said]] = []
-    for place in nameless:
-        student = students[place]
-        key = (
-            (as_seen(student.email),)
-            if student.email
-            else (as_seen(student.name), as_seen(student.group))
-        )
-        if key in seen:
-            what = (
-                message("Somebody above '{name}' has the mail address {email} already.",
-                        name=student.name, email=student.email)
-                if student.email
-                else message("'{name}' is in the list already, and no id tells both apart.",
-                             name=student.name)
-            )  # fmt: skip
-            remedy = message("Give both an id or a mail address of their own.")
-            found.append((place, (what, remedy)))
-        seen.add(key)
+            found.append((place, (what, by_id(same.id, column_at(place)))))
     return found
 
 

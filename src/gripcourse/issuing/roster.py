@@ -10,6 +10,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 from gripcourse.errors import Problem, TableError
+from gripcourse.issuing.asked_about import ADDED, IdColumn
 from gripcourse.issuing.group_titles import GroupTitles, groups_note
 from gripcourse.issuing.made_ids import NOBODY, Joined, with_ids
 from gripcourse.issuing.office_list import PARTS_OF_NAME
@@ -24,6 +25,8 @@ from gripcourse.variants.model import Student
 from gripcourse.variants.sheet import Sheet, SheetRow, cell_place
 
 _ID = re.compile(r"[\w-][\w.-]*")
+_CYRILLIC = re.compile("[\u0400-\u04ff]")
+_CYRILLIC_HEADING = "код студента"  # of a column of ids, the same in Russian and in Ukrainian
 _NAMED = 10  # students whom a note names
 # Signs of what is printed beside a student's work: nobody's name is longer, and a word of ten
 # thousand letters takes half a minute to lay out.
@@ -82,7 +85,9 @@ def read_roster(
     students: tuple[Student, ...] = tuple(one.student for one in read)
     made: tuple[Message, ...] = ()
     if not problems:
-        students, made, doubles = with_ids(students, tuple(known), joined)
+        students, made, doubles = with_ids(
+            students, tuple(known), joined, lambda place: read[place].reader.id_column
+        )
         problems += (
             Problem(
                 read[place].reader.sheet.file,
@@ -124,6 +129,15 @@ class _Reader:
     languages: Sequence[str]
     groups: GroupTitles
     problems: list[Problem]
+
+    @property
+    def id_column(self) -> IdColumn:
+        """Where an id of a student is written in this list, or would be in its language."""
+        column = self.columns.get("student")
+        if column is not None:
+            return IdColumn(column.name, is_there=True)
+        is_cyrillic = any(_CYRILLIC.search(one.name) for one in self.columns.values())
+        return IdColumn(_CYRILLIC_HEADING) if is_cyrillic else ADDED
 
     def student(self, row: SheetRow) -> Student:
         """Read a row; what is wrong with it is recorded."""

@@ -114,6 +114,25 @@ def _entries(rows: Iterable[RowOfTable], place: str) -> Iterator[Issued]:
         yield entry
 
 
+def fetch_former_names(connection: Connection, course_id: str) -> dict[str, tuple[str, ...]]:
+    """Return how persons were written before, by id; who has always been called so is not there."""
+    one = schema.persons.c
+    corrected = select(one.student).where(one.course == course_id, one.number > 1)
+    question = (
+        select(one.student, one.name)
+        .where(one.course == course_id, one.student.in_(corrected))
+        .order_by(one.student, one.number)
+    )
+    names: dict[str, list[str]] = {}
+    for row in connection.execute(question):
+        names.setdefault(row.student, []).append(row.name)
+    former = {
+        student: tuple(one for one in dict.fromkeys(all_) if one != all_[-1])
+        for student, all_ in names.items()
+    }
+    return {student: all_ for student, all_ in former.items() if all_}
+
+
 def other_courses(connection: Connection, course_id: str) -> tuple[str, ...]:
     """Return the ids of other courses that something was issued in."""
     course = schema.issued.c.course

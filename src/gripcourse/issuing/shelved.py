@@ -42,6 +42,7 @@ class ShelvedRegister:
             none.
         joined: by id that was joined with another's, the id of the student.
         joins: the same with their moments, in the order in which they were joined.
+        former: by student id, how the person was written before.
     """
 
     course_id: str
@@ -49,6 +50,7 @@ class ShelvedRegister:
     earlier: Mapping[str, tuple[Issued, ...]]
     joined: Mapping[str, str] = field(default_factory=dict)
     joins: tuple[Join, ...] = ()
+    former: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
 
 
 def shelved(

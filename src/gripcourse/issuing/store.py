@@ -21,6 +21,7 @@ from gripcourse.issuing.register_file import old_register_path, read_register_fi
 from gripcourse.issuing.rows import (
     RowOfTable,
     add_rows,
+    fetch_former_names,
     fetch_rows,
     other_courses,
     read_rows,
@@ -86,7 +87,8 @@ def shelve_register(root: Path, course_id: str) -> ShelvedRegister:
         else:
             _refuse_other(connection, engine, root, course_id)
         withdrawals = fetch_withdrawals(connection, course_id)
-        return shelved(chain(first, entries), course_id, keys, place, withdrawals)
+        register = shelved(chain(first, entries), course_id, keys, place, withdrawals)
+        return replace(register, former=fetch_former_names(connection, course_id))
 
 
 def _register_engine(root: Path, course_id: str) -> Engine | None:

@@ -17,6 +17,7 @@ from gripcourse.course.shape import (
     text,
     texts,
 )
+from gripcourse.policy.lenient import LEAST_CALCULATED, LEAST_FIGURES, WIDEST_RELATIVE
 from gripcourse.policy.model import Reveal, Tells
 from gripcourse.policy.slips import SlipKind
 from gripcourse.policy.time_rules import Counts
@@ -58,7 +59,8 @@ POLICY: Final = Shape(
             required=True,
         ),
         "tolerance": table(
-            "How far an answer may differ: the wider part counts.",
+            "How far an answer may differ: the wider part counts. The relative one is at most "
+            f"{WIDEST_RELATIVE}.",
             {
                 **TOLERANCE,
                 "floor": by_name(
@@ -84,7 +86,8 @@ POLICY: Final = Shape(
                                      required=True),
                 "rough": number("Of the right number, rounded until it leaves its band.", 0, 1),
                 "calculated": number("Of a work's computed answers: so many must be right or "
-                                     "follow, for what rests on the others to count.", 0, 1),
+                                     "follow, for what rests on the others to count; "
+                                     f"{LEAST_CALCULATED} or more.", 0, 1),
             },
             required=True,
         ),
@@ -93,8 +96,8 @@ POLICY: Final = Shape(
             {
                 "last_digit": number("Units of the last typed digit: 0.5 or 1.", 0, 10,
                                      required=True),
-                "figures": number("A typed number counts as written with so many.", 1, 15,
-                                  required=True),
+                "figures": number("A typed number counts as written with so many; "
+                                  f"{LEAST_FIGURES} or more.", 1, 15, required=True),
                 "habits": by_name(
                     "Shortened constants, by id or `pi`.",
                     other("Values.", {"type": "array", "items": {"type": "number"}}),

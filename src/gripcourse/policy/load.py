@@ -12,6 +12,7 @@ from gripcourse.course.toml_table import Table, read_toml
 from gripcourse.course.unit_words import unit_remedy
 from gripcourse.errors import CourseError, Problem
 from gripcourse.policy.keys import POLICY
+from gripcourse.policy.lenient import lenient_numbers
 from gripcourse.policy.model import Policy, Reveal
 from gripcourse.policy.points import main_points_by_section
 from gripcourse.policy.rubric_load import read_rubrics
@@ -86,6 +87,9 @@ def read_policy(course: Course) -> tuple[Policy | None, list[Problem]]:
     )
     credit.known_keys()
     rounding.known_keys()
+    named = [one.key for one in problems]
+    file = policy_path(course.root).relative_to(course.root).as_posix()
+    problems += [one for one in lenient_numbers(policy, file) if one.key not in named]
     return policy, problems
 
 

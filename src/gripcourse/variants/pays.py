@@ -23,10 +23,6 @@ MOST_APART = 1.5
 """How many times as much the same mistake may cost in another variant."""
 _NOTABLE = 0.03  # of all points: what costs less makes no difference to a mark
 _SAME_POINTS = 0.02  # of all points: what an answer may earn that is the same in all variants
-# Bounds of a policy: with 0.2, 0.08 and 1 other people's numbers and guesses earned 11 to 37 %.
-_LEAST_CALCULATED = 0.5
-_WIDEST_RELATIVE = 0.05
-_LEAST_FIGURES = 2
 _EMPTY = '""'  # as a policy writes the unit of a plain number
 _LEAST_VARIANTS = 3  # of a scheme: fewer are the same by chance
 
@@ -108,30 +104,10 @@ def paying_rules(
         table: their file, as a person would look for it.
     """
     file = str(policy_path(course.root).relative_to(course.root))
-    yield from _too_lenient(file, policy)
     yield from _without_main_results(file, policy, mistake_costs(course, policy, variants))
     issued = _issued(course, policy, variants)
     yield from _too_wide(file, policy, issued, table)
     yield from _same_for_all(file, policy, issued, table)
-
-
-def _too_lenient(file: str, policy: Policy) -> Iterator[Problem]:
-    """Name numbers with which works that compute nothing were measured to earn much."""
-    bounds = (
-        ("credit.calculated", policy.calculated_share, _LEAST_CALCULATED),
-        ("tolerance.relative", policy.tolerance.relative, -_WIDEST_RELATIVE),
-        ("rounding.figures", policy.figures, _LEAST_FIGURES),
-    )
-    for key, number, bound in bounds:
-        if (number >= bound) if bound > 0 else (number <= -bound):
-            continue
-        what = message("With {number} here works that compute nothing earn points.", number=number)
-        remedy = (
-            message("Write at least {least}.", least=bound)
-            if bound > 0
-            else message("Write at most {absolute}.", absolute=-bound)
-        )
-        yield Problem(file, key, what, remedy)
 
 
 def _without_main_results(

@@ -1,11 +1,15 @@
-"""Whether a table that is about to be written could be read again."""
+"""Whether a table that is about to be written can be written, and could be read again."""
 
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Final
 
 from gripcourse.errors import Problem, TableError
 from gripcourse.machine.table_bounds import LARGEST_TABLE, MOST_CELLS, MOST_ROWS
 from gripcourse.text.words import message
+
+CSV: Final = ".csv"
+WORKBOOK: Final = ".xlsx"
 
 
 @dataclass(frozen=True, slots=True)
@@ -14,6 +18,20 @@ class Room:
 
     cells: int
     most: int
+
+
+def expect_kind(path: Path) -> str:
+    """Return which kind of table a name asks for.
+
+    Raises:
+        TableError: none that can be written.
+    """
+    kind = path.suffix.lower()
+    if kind in {CSV, WORKBOOK}:
+        return kind
+    what = message("A table of this kind cannot be written.")
+    remedy = message("Name a file that ends in .csv or .xlsx.")
+    raise TableError([Problem(str(path), "", what, remedy)])
 
 
 def expect_readable(path: Path, rows: int, columns: int, room: Room, size: int = 0) -> None:

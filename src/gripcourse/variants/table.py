@@ -33,7 +33,7 @@ from gripcourse.variants.headings import (
 )
 from gripcourse.variants.model import Variant
 from gripcourse.variants.named_choices import language_of
-from gripcourse.variants.readable import Room, expect_readable
+from gripcourse.variants.readable import CSV, Room, expect_kind, expect_readable
 from gripcourse.variants.rows import RowReader
 from gripcourse.variants.sheet import Sheet, read_sheet
 from gripcourse.variants.table_workbook import declared_units, write_table_workbook
@@ -121,15 +121,10 @@ def write_table(path: Path, variants: Iterable[Variant], course: Course) -> None
         TableError: the name says neither, or the table would be larger than any that is read.
     """
     listed = tuple(variants)
-    match path.suffix.lower():
-        case ".csv":
-            _write_csv(path, listed, course)
-        case ".xlsx":
-            write_table_workbook(path, listed, course)
-        case _:
-            what = message("A table of this kind cannot be written.")
-            remedy = message("Name a file that ends in .csv or .xlsx.")
-            raise TableError([Problem(str(path), "", what, remedy)])
+    if expect_kind(path) == CSV:
+        _write_csv(path, listed, course)
+    else:
+        write_table_workbook(path, listed, course)
 
 
 def _write_csv(path: Path, listed: tuple[Variant, ...], course: Course) -> None:

@@ -391,6 +391,19 @@ def test_the_file_says_what_the_template_says_and_keeps_back_what_it_keeps_back(
     assert "77,777" not in text_of(pdf)
 
 
+@pytest.mark.parametrize("reveal", [Reveal.NOTHING, Reveal.REFERENCE])
+def test_points_of_many_figures_stay_on_a_line(
+    reveal: Reveal, perfect: Report, printed: Printer, pages_of: Callable[[bytes], list[str]]
+) -> None:
+    first, second, *others = perfect.findings
+    many = (replace(first, points=100.0, max_points=100.0),
+            replace(second, points=8.75, max_points=17.25))  # fmt: skip
+    pages = pages_of(printed(replace(perfect, findings=(*many, *others)), reveal))
+    printed_points = " ".join(" ".join(pages).replace("\u00a0", " ").split())
+    assert "100,00 / 100,00" in printed_points
+    assert "8,75 / 17,25" in printed_points
+
+
 def test_a_report_is_the_same_each_time(perfect: Report, printed: Printer) -> None:
     with not_laid_out():
         assert printed(perfect) == printed(perfect)

@@ -3,6 +3,7 @@
 from dataclasses import dataclass, replace
 from datetime import date
 from pathlib import Path
+from shutil import copytree
 
 import pytest
 
@@ -13,6 +14,8 @@ from gripcourse.grading.model import Report
 from gripcourse.issuing.reissue import Correction
 from gripcourse.issuing.store import read_register
 from gripcourse.policy.model import Policy
+from gripcourse.simulation.write import fill
+from gripcourse.solver.plan import plan_of
 from gripcourse.usecases.issuing.reissue import CorrectedOrder, reissue_order
 from gripcourse.usecases.marks.opening import open_grading
 from support.classroom import Classroom, open_classroom
@@ -91,3 +94,28 @@ def test_where_they_were_lost_today_s_are_taken_and_it_is_said(
     assert report.score < report.max_score
     assert report.declarations == ""
     assert "judged by today's" in " ".join(map(str, report.remarks))
+
+
+def test_where_either_counts_a_version_is_judged_by_todays_formulas_as_well(
+    mended: Mended, tmp_path: Path
+) -> None:
+    root = tmp_path / "course"
+    copytree(mended.classroom.course.root, root)
+    course, policy = load_course(root), mended.classroom.policy
+    wanted = Correction(("s01",), "007", "another row", "Петров")
+    order = CorrectedOrder(wanted, mended.classroom.order.table, tmp_path / "third",
+                           date(2026, 10, 6), None)  # fmt: skip
+    reissue_order(course, policy, order, 0, lambda _: None)
+    first, *_ = read_register(root, course.id).versions()["s01"]
+    typed = correct(plan_of(course, first.variant.composition), first)
+    assert typed is not None
+    work = tmp_path / "by_the_right_formula.xlsx"
+    fill(mended.classroom.workbook("s01"), typed, work)
+    context = open_grading(root)
+    own = grade_file(work, replace(context, either_version=False))
+    assert own.score < own.max_score
+    both = grade_file(work, replace(context, either_version=True))
+    assert (both.version, both.score, both.declarations) == (1, both.max_score, "")
+    said = " ".join(map(str, both.remarks))
+    assert "are today's, which give more" in said
+    assert "today's" not in " ".join(map(str, mended.judged(either=True).remarks))

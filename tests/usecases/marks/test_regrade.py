@@ -7,6 +7,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import pytest
+from openpyxl import load_workbook
+from openpyxl.packaging.core import DocumentProperties
+from openpyxl.packaging.custom import CustomPropertyList
 
 from gripcourse.batch.context import GradingContext
 from gripcourse.batch.graded import Graded
@@ -20,13 +23,16 @@ from gripcourse.gradebook.regrade import Shift
 from gripcourse.gradebook.store import open_gradebook
 from gripcourse.gradebook.works import works_of
 from gripcourse.grading.model import Report
+from gripcourse.usecases.marks.batch_wish import BatchWish
 from gripcourse.usecases.marks.gradebook import keep
 from gripcourse.usecases.marks.handed_in import HandingTime
 from gripcourse.usecases.marks.history import history
 from gripcourse.usecases.marks.mark import enter_mark
+from gripcourse.usecases.marks.opening import by_word
 from gripcourse.usecases.marks.regrade import (
     Regrading,
     apply_regrade,
+    as_decided,
     publish,
     regrade,
     undo_regrade,
@@ -300,3 +306,23 @@ def test_the_mark_that_counts_is_told_last_though_the_clock_was_set_back(faculty
         enter_mark(draft, faculty.today, faculty.place, "Петров", at)
     told = [one.at - NOW for one in history(faculty.place, "s02") if DRAWING in str(one.what)]
     assert told == [timedelta(hours=21), timedelta(hours=11)]
+
+
+def test_works_are_graded_again_by_the_order_of_folders_that_told_whose_they_are(
+    issued: "Classroom", tmp_path: Path
+) -> None:
+    bare = tmp_path / "Анна Иванова" / "ответы.xlsx"
+    bare.parent.mkdir()
+    book = load_workbook(issued.hand_in("s01", correct, tmp_path / "s01.xlsx"))
+    del book["_gripcourse"]
+    for name in [one for one in book.defined_names if one.startswith("meta.")]:
+        del book.defined_names[name]
+    book.properties, book.custom_doc_props = DocumentProperties(), CustomPropertyList()
+    book.save(bare)
+    place, wish = str(tmp_path / "gradebook.sqlite"), BatchWish(pattern="{name}/*")
+    context = by_word(wish, [bare], issued.context)
+    keep([Graded(grade_file(bare, context), "")], context, place, NOW)
+    again = as_decided(issued.context, [bare], place, wish)
+    assert regrade([bare], again, place, 0, NOW).strangers == ()
+    without = as_decided(issued.context, [bare], place, BatchWish())
+    assert regrade([bare], without, place, 0, NOW).strangers == (str(bare),)

@@ -20,10 +20,11 @@ from gripcourse.machine.database.home import home_of
 from gripcourse.usecases.grading.batch_tables import missing, write_tables
 from gripcourse.usecases.issuing.handout import Handout, IssuingContext
 from gripcourse.usecases.issuing.reissue import CorrectedOrder, reissue_order
+from gripcourse.usecases.marks.batch_wish import BatchWish
 from gripcourse.usecases.marks.gradebook import keep
 from gripcourse.usecases.marks.history import history
 from gripcourse.usecases.marks.mark import enter_mark, what_waits
-from gripcourse.usecases.marks.opening import open_grading, register_of
+from gripcourse.usecases.marks.opening import as_wished, open_grading, register_of
 from gripcourse.usecases.marks.regrade import regrade
 from gripcourse.usecases.marks.withdraw import withdraw
 from gripcourse.usecases.serving.desk import open_books
@@ -211,3 +212,14 @@ def test_nobody_is_joined_with_an_id_that_is_joined_itself(root: Path) -> None:
         withdraw(wanted, root, home_of(root))
     (problem,) = refused.value.problems
     assert "s03 was joined with s01 already" in str(problem.what)
+
+
+def test_an_order_of_folders_names_a_joined_person_by_either_id(root: Path, work: Path) -> None:
+    join(root)
+    file = shutil.copy(work, work.with_name("s03_work.xlsx"))
+    wish = BatchWish(pattern="{id}_*.xlsx")
+    context, _ = as_wished(wish, [file], open_grading(root), None, 0)
+    assert context.pattern is not None
+    part = context.pattern.part_of(str(file))
+    assert part is not None
+    assert part.identifier == "s03"

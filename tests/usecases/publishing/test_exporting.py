@@ -2,6 +2,7 @@
 
 import json
 from dataclasses import replace
+from datetime import UTC, datetime
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -11,6 +12,7 @@ from gripcourse.errors import UsageError
 from gripcourse.exports.make_report_result import grades_result
 from gripcourse.exports.platforms.works import works_of
 from gripcourse.grading.model import Report
+from gripcourse.issuing.withdrawal import Join
 from gripcourse.text.words import Words
 from gripcourse.usecases.grading.batch_tables import json_text
 from gripcourse.usecases.grading.grade import REPORTS
@@ -67,10 +69,26 @@ def test_the_folder_of_a_grading_stands_for_its_results(
 def test_where_no_rule_says_which_counts_a_person_is_asked(
     issued: "Classroom", perfect: Report, tmp_path: Path
 ) -> None:
-    with pytest.raises(UsageError, match="2 reports to choose from"):
-        gradescope_file(
-            several(issued, perfect, True, True), "", tmp_path / "r.json", published=False
-        )
+    results, out = several(issued, perfect, True, True), tmp_path / "r.json"
+    with pytest.raises(UsageError, match="2 reports to choose from") as caught:
+        gradescope_file(results, "", out, published=False)
+    assert r"0.xlsx (s01), 1.xlsx (s01)" in str(caught.value)
+    assert "Name the student" in str(caught.value)
+    with pytest.raises(UsageError, match=r"under \[attempts\] in grader/policy.toml"):
+        gradescope_file(results, "s01", out, published=False)
+
+
+def test_of_works_that_were_graded_before_a_join_the_remedy_is_named(
+    issued: "Classroom", perfect: Report, tmp_path: Path
+) -> None:
+    results = several(issued, perfect, True, True)
+    first, second = results.grades.reports
+    apart = replace(results.grades, reports=(first, replace(second, student="s02")))
+    joined = (Join("s02", "s01", datetime(2026, 12, 1, tzinfo=UTC)),)
+    results = replace(results, grades=apart, joins=joined)
+    with pytest.raises(UsageError, match="s02 was joined with s01 since: grade again") as caught:
+        gradescope_file(results, "s01", tmp_path / "r.json", published=False)
+    assert "0.xlsx (s01), 1.xlsx (s02)" in str(caught.value)
 
 
 def test_a_student_without_a_report_is_named(

@@ -43,6 +43,27 @@ def test_a_scheme_without_a_space_is_named_with_the_nearest(course: Course, tmp_
     assert list(tmp_path.iterdir()) == []
 
 
+@pytest.mark.parametrize(
+    ("name", "count", "said"),
+    [
+        ("drawn.txt", 4, "A table of this kind cannot be written"),
+        ("drawn.xlsx", 90_000, "more than is read again: 200000 cells"),
+        ("drawn.csv", 100_000, "more than is read again: 1250000 cells"),
+    ],
+)
+def test_a_table_that_cannot_be_written_is_refused_before_anything_is_drawn(
+    course: Course, tmp_path: Path, name: str, count: int, said: str
+) -> None:
+    module = "gripcourse.usecases.solving.variants"
+    with pytest.MonkeyPatch.context() as patch:
+        for way in ("draw", "draw_freely"):
+            patch.setattr(f"{module}.{way}", lambda *_: pytest.fail("variants were drawn"))
+        for freely in (False, True):
+            with pytest.raises(TableError, match=said):
+                draw_table(course, count, 1, None, tmp_path / name, freely=freely)
+    assert list(tmp_path.iterdir()) == []
+
+
 def test_an_instructors_table_is_checked_and_written_in_our_form(
     course: Course, tmp_path: Path
 ) -> None:

@@ -16,6 +16,7 @@ from gripcourse.exports.grades import FOUND
 from gripcourse.exports.report_json import json_around, said_in
 from gripcourse.gradebook.results import RESULTS, RESULTS_DIGEST
 from gripcourse.grading.model import Flag, FlagCode, Report
+from gripcourse.grading.path_pattern import fits_none
 from gripcourse.likeness.works import TYPED
 from gripcourse.machine.alone import writing_into
 from gripcourse.machine.content import Readable
@@ -68,6 +69,7 @@ class GradingOutcome:
         missing: students to whom something was issued and whose work is not in the batch, by id.
         cohort_fault: why the cohort report could not be laid out.
         undated: students with a judged work who have no deadline, though lateness costs, by id.
+        unfitting: the pattern of paths that an instructor gave, where it fits no file; else empty.
     """
 
     reports: Sequence[Report]
@@ -81,6 +83,7 @@ class GradingOutcome:
     missing: tuple[Student, ...] = ()
     cohort_fault: str = ""
     undated: tuple[str, ...] = ()
+    unfitting: str = ""
 
 
 def grade(  # noqa: PLR0913 (the last ones are what nearly everybody leaves as they are)
@@ -228,6 +231,7 @@ class _Results:
             missing=absent,
             cohort_fault="" if failed is None else failed.reason,
             undated=tuple(sorted(seen.undated)) if context.policy.late is not None else (),
+            unfitting=fits_none(context.pattern, (one.file for one in reports)),
         )
 
 

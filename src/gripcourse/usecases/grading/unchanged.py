@@ -155,10 +155,11 @@ def open_earlier(
     if versions_of(context.course.root) != versions:
         return None
     make_private_folder(folder)
-    pattern = context.pattern and context.pattern.expression.pattern
+    pattern = context.pattern and context.pattern.written
     judged_by = context.either_version, sorted(context.either_for), sorted(context.declared)
+    former = sorted(context.former.items())
     office = (office_identity(context.office), context.recalculate) if workers else None
-    decides = (versions, *map(repr, (judged_by, pattern, office)))
+    decides = (versions, *map(repr, (judged_by, pattern, office, former)))
     # One person after the other: all of them in one text are larger than anything else here.
     people = (
         repr((name, issued[name]))

@@ -9,17 +9,16 @@ from gripcourse.access.desk.model import GradedBatch
 from gripcourse.access.desk.store import Desk, batches_by_time
 from gripcourse.batch.context import GradingContext
 from gripcourse.errors import Problem, UsageError
-from gripcourse.gradebook.counted import counted_work
-from gripcourse.gradebook.deadlines import course_deadlines, deadline_by_rule
 from gripcourse.gradebook.joined import family
 from gripcourse.gradebook.journal import publications, regrades, waivers
-from gripcourse.gradebook.model import Attempt, GradebookEntry, latest_marks
+from gripcourse.gradebook.model import Attempt, GradebookEntry
 from gripcourse.gradebook.timing import Waiver
 from gripcourse.gradebook.works import in_order, points_of, works_of
 from gripcourse.issuing.withdrawal import Withdrawal, joins_of, persons_of
 from gripcourse.text.shown import shown
 from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.words import Message, message
+from gripcourse.usecases.marks.counting import works_that_count
 from gripcourse.usecases.marks.mark import existing_gradebook
 from gripcourse.usecases.serving.taken import order_of_works
 
@@ -147,16 +146,7 @@ def what_counts(place: str, student: str, context: GradingContext) -> Message | 
         GradebookError: there is no gradebook, or it cannot be used.
         TableError: the table of deadlines cannot be used.
     """
-    book, rule = existing_gradebook(place, context.joins), context.policy.late
-    deadlines = course_deadlines(context.course.root, rule)
-    taken = order_of_works(Desk(book.engine, context.course.id), context.joins)
-    counted = counted_work(
-        context.policy,
-        works_of(book.standing({student}), taken).get(student, ()),
-        latest_marks(book.entries({student})),
-        deadline_by_rule(context.register.get(student), deadlines, rule),
-        waivers(book).get(student, ()),
-    )
+    counted = works_that_count(place, {student}, context).get(student)
     if counted is None or counted.timing is None:
         return None
     number, earned, sums = counted.timing.number, counted.earned, counted.sums

@@ -76,6 +76,7 @@ def grading_of(course: Course, policy: Policy) -> GradingContext:
         declared=kept_declarations(course.root, last, chain.from_iterable(earlier.values())),
         joined=register.joined,
         joins=register.joins,
+        former=register.former,
     )
 
 
@@ -102,12 +103,7 @@ def as_wished(
         GradebookError: the gradebook is there and cannot be used.
         TableError: the course's table of deadlines cannot be used.
     """
-    context = replace(
-        context,
-        whose=read_whose(wish.whose, files, context.register, context.joined),
-        pattern=None if wish.pattern is None else path_pattern(wish.pattern, context.register),
-        either_version=wish.either_version,
-    )
+    context = by_word(wish, files, context)
     if wish.recalculate:
         context = recalculating(context, workers)
     late = context.policy.late
@@ -120,6 +116,21 @@ def as_wished(
         people = [person for one in entries for person in (one.student, *one.joined)]
         course_deadlines(context.course.root, late, people)
     return context, times
+
+
+def by_word(wish: BatchWish, files: Sequence[Readable], context: GradingContext) -> GradingContext:
+    """Return the same where a person says whose files are, and which versions count.
+
+    Raises:
+        UsageError: a file or a student that is named is not there, or a pattern says nothing.
+    """
+    known_ids = {*context.register, *context.joined}
+    return replace(
+        context,
+        whose=read_whose(wish.whose, files, context.register, context.joined),
+        pattern=None if wish.pattern is None else path_pattern(wish.pattern, known_ids),
+        either_version=wish.either_version,
+    )
 
 
 def recalculating(context: GradingContext, workers: int) -> GradingContext:

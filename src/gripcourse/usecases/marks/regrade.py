@@ -35,9 +35,10 @@ from gripcourse.issuing.withdrawal import Join, persons_of
 from gripcourse.machine.content import Readable
 from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.words import Message, message
+from gripcourse.usecases.marks.batch_wish import BatchWish
 from gripcourse.usecases.marks.gradebook import with_kept_versions
 from gripcourse.usecases.marks.mark import existing_gradebook
-from gripcourse.usecases.marks.whose import read_whose
+from gripcourse.usecases.marks.opening import by_word
 
 
 @dataclass(frozen=True, slots=True)
@@ -79,9 +80,7 @@ def as_decided(
     context: GradingContext,
     files: Sequence[Readable],
     place: str,
-    whose: Sequence[str],
-    *,
-    either_version: bool | None,
+    wish: BatchWish,
 ) -> GradingContext:
     """Return what works are graded again with, where a person decides what only a person can.
 
@@ -89,18 +88,15 @@ def as_decided(
         context: of the course.
         files: the works, as they were handed in.
         place: of the gradebook: a path or a database URL.
-        whose: `file=student`, where a person says who handed it in.
-        either_version: of what was issued anew, whether the version counts that gives more; None
-            as the gradebook says, else the workbook's own version.
+        wish: whose files are, and which versions count.
 
     Raises:
-        UsageError: a file or a student that is named is not there.
+        UsageError: a file or a student that is named is not there, or a pattern says nothing.
         GradebookError: there is no gradebook, or it cannot be used.
     """
-    decided = read_whose(whose, files, context.register, context.joined)
+    decided = by_word(wish, files, context)
     existing_gradebook(place)
-    context = replace(context, whose=decided, either_version=either_version)
-    return with_kept_versions(context, place)
+    return with_kept_versions(decided, place)
 
 
 def regrade(  # noqa: PLR0913 (the last ones are what everybody leaves as they are)

@@ -35,7 +35,7 @@ from gripcourse.issuing.withdrawal import Join, persons_of
 from gripcourse.machine.database.home import exists
 from gripcourse.machine.files import write_bytes, write_text
 from gripcourse.policy.load import load_policy
-from gripcourse.text.shown import shown
+from gripcourse.text.shown import first_of, shown
 from gripcourse.text.words import Message, Words, message
 from gripcourse.usecases.grading.batch_tables import GRADES_JSON
 from gripcourse.usecases.grading.grade import REPORTS
@@ -47,6 +47,7 @@ from gripcourse.variants.table import read_table
 _REPORT = "report.pdf"
 _TEXT = "message.txt"
 _LIST = "outbox.csv"
+_NAMED = 5  # reports
 
 
 @dataclass(frozen=True, slots=True)
@@ -283,9 +284,35 @@ def _only_report(results: Results, student: str) -> ReportResult:
         what = message("There is no report of {student}.", student=student)
         remedy = message("Name a student whose work is in this grading, by the id.")
         raise UsageError([Problem("", "", what, remedy, parameter="student")])
-    what = message("There are {count} reports to choose from, not one.", count=len(found))
-    remedy = message("Name the student, or grade one submission alone.")
-    raise UsageError([Problem("", "", what, remedy)])
+    named = [f"{shown(one.file)} ({one.student or '—'})" for one in found]
+    what = message(
+        "There are {count} reports to choose from, not one: {names}.",
+        count=len(found),
+        names=first_of(named, _NAMED),
+    )
+    raise UsageError([_to_choose(found, student, persons, what)])
+
+
+def _to_choose(
+    found: Sequence[ReportResult], student: str, persons: Mapping[str, str], what: Message
+) -> Problem:
+    """Say how one of several reports is chosen."""
+    if not student:
+        return Problem("", "", what, message("Name the student, or grade one submission alone."))
+    former = next((one.student for one in found if one.student in persons), "")
+    if former:
+        remedy = message(
+            "{student} was joined with {person} since: grade again, so that both count as works of"
+            " one person.",
+            student=former,
+            person=persons[former],
+        )
+        return Problem("", "", what, remedy, step=NextStep.GRADE)
+    remedy = message(
+        "Say under [attempts] in grader/policy.toml which work of a student counts and grade again,"
+        " or grade one submission alone."
+    )
+    return Problem("", "", what, remedy)
 
 
 def moodle_questions(

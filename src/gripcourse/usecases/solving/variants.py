@@ -18,9 +18,11 @@ from gripcourse.variants.bodies import bodies_check
 from gripcourse.variants.defaults import Defaults
 from gripcourse.variants.draw import Drawn, draw
 from gripcourse.variants.draw_freely import draw_freely
+from gripcourse.variants.expected_table import expect_room
 from gripcourse.variants.model import Variant
+from gripcourse.variants.readable import expect_kind
 from gripcourse.variants.screening import sifter
-from gripcourse.variants.space import load_spaces
+from gripcourse.variants.space import Space, load_spaces
 from gripcourse.variants.table import OwnTable, read_own_table, read_table, write_table
 
 
@@ -51,17 +53,22 @@ def draw_variants(  # noqa: PLR0913 (the last three are for those who need them)
     Raises:
         GripcourseError: there is no such scheme, or its space gives too few variants.
     """
-    spaces = [one for one in load_spaces(course) if scheme in {None, one.scheme}]
-    if not spaces:
-        what = message("There is no space to draw '{scheme}' from.", scheme=scheme or "")
-        known = [one.scheme for one in load_spaces(course)]
-        remedy = did_you_mean(scheme or "", known)
-        raise UsageError([Problem("", "", what, remedy, parameter="scheme")])
+    spaces = _spaces(course, scheme)
     if freely:
         return draw_freely(course, spaces, count, seed, workers)
     others = solve_groups(course, apart_from)
     rules = sifter(load_policy(course), len(course.sections), bodies_check(course), others)
     return draw(course, spaces, count, seed, rules)
+
+
+def _spaces(course: Course, scheme: str | None) -> list[Space]:
+    all_ = load_spaces(course)
+    spaces = [one for one in all_ if scheme in {None, one.scheme}]
+    if not spaces:
+        what = message("There is no space to draw '{scheme}' from.", scheme=scheme or "")
+        remedy = did_you_mean(scheme or "", [one.scheme for one in all_])
+        raise UsageError([Problem("", "", what, remedy, parameter="scheme")])
+    return spaces
 
 
 def draw_table(  # noqa: PLR0913 (the last two are for those who need them)
@@ -75,7 +82,9 @@ def draw_table(  # noqa: PLR0913 (the last two are for those who need them)
     apart_from: Readable | None = None,
 ) -> Drawn:
     """Draw variants and write them as a table; see `draw_variants`."""
+    expect_kind(out)
     expect_file(out)
+    expect_room(out, course, _spaces(course, scheme), count, seed)
     others = () if apart_from is None else read_table(apart_from, course)
     drawn = draw_variants(course, count, seed, scheme, freely=freely, apart_from=others)
     write_table(out, drawn.variants, course)
