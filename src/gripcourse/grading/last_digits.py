@@ -69,6 +69,12 @@ def rule_of(answers: Sequence[Answer], figures: int) -> LastDigit | None:
         answers: numbers that were computed, as they were typed.
         figures: fewer significant figures are few.
     """
+    few = (
+        one.value is not None and one.half_unit > figure_half_unit(one.value, figures) * (1 + _EDGE)
+        for one in answers
+    )
+    if sum(few) < _ENOUGH:
+        return None
     rules = (*(LastDigit(figures=one) for one in range(_TWO, figures)), *_DECIMALS)
     holding = [one for one in rules if _holds(one, answers, figures)]
     return max(holding, key=lambda one: sum(map(one.ends, answers)), default=None)
