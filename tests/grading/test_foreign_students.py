@@ -22,6 +22,7 @@ if TYPE_CHECKING:
 
 SMALL = 9  # variants of as many schemes; benchmarks measure with all
 ONCE = 0.97
+NINE = 9.0
 
 
 @pytest.fixture
@@ -109,6 +110,27 @@ def test_a_misread_given_costs_once(some: "tuple[Case, ...]", rounded: "Rounded"
                 break
     assert len(works) >= SMALL // 2
     assert sum(works) >= ONCE * len(works) - 1  # one in few is no share
+
+
+def test_a_number_read_for_an_issued_zero_costs_once(
+    table: "tuple[Case, ...]", rounded: "Rounded"
+) -> None:
+    """An arm that lies along the axis by its sheet is taken as tilted by nine degrees."""
+    works = [
+        (case, given.id)
+        for case in table
+        for given in case.plan.givens
+        if given.unit == "deg" and not case.given[given.id] and given.bounds[1] >= NINE
+    ]
+    looked_at = 0
+    for case, given in works[:SMALL]:
+        users = [one for one in case.plan.answered if given in case.plan.inputs[one.id]]
+        answers = case.following(**{given: NINE})
+        if len(users) > 1 and all(math.isfinite(value) for value in answers.values()):
+            findings = case.findings(rounded(case, answers, 5))
+            assert len(lost(case, findings)) <= 1, (case.label, given)
+            looked_at += 1
+    assert looked_at
 
 
 def test_a_square_forgotten_in_millimetres_is_named_though_unlike_things_are_added(

@@ -157,7 +157,7 @@ def _slip(table: Table, units: Mapping[str, str]) -> Slip:
             message("Write a share of the points from 0 to 1."),
         )
     fallback = formula_of("0", {})
-    formula = _wrong_formula(table, units) or fallback
+    formula = _wrong_formula(table, read_evaluated_in(table) or units) or fallback
     hint = table.texts("hint")
     return Slip(table.text("id"), formula, credit, hint, table.flag("seldom"))
 

@@ -71,6 +71,11 @@ _SLIP: Final = Shape(
         "seldom": flag(
             "Whether its value is nearly right in many variants: none is refused for it."
         ),
+        "evaluated_in": by_name(
+            "Of a method by which a number measures something else, an area for a length: the unit "
+            "in which each name enters; it names all of them.",
+            text("A unit.", required=True),
+        ),
     }
 )
 _AS_PRINTED: Final = Shape(

@@ -43,6 +43,7 @@ class Judgement:
             wrong methods and chance make of it; NaN where nobody asked.
         elsewhere: id of another answer that has the same number, where nothing else explains it.
         mistyped: whether it has the digits of the right number, where nothing else explains it.
+        held: whether it is what the student's calculator held, perhaps rounded too far.
     """
 
     outcome: Outcome
@@ -58,6 +59,7 @@ class Judgement:
     alone: float = math.nan
     elsewhere: str = ""
     mistyped: bool = False
+    held: bool = False
 
 
 @dataclass(frozen=True, slots=True)

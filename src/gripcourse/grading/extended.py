@@ -5,6 +5,7 @@ from collections.abc import Collection, Iterator, Sequence
 from dataclasses import replace
 
 from gripcourse.course.quantity import Kind
+from gripcourse.grading.as_calculated import held_by
 from gripcourse.grading.submission_case import (
     GradingCase,
     JudgedAnswer,
@@ -13,6 +14,7 @@ from gripcourse.grading.submission_case import (
     with_given,
 )
 from gripcourse.grading.substitution import Substitution
+from gripcourse.text.units import factor
 
 _ISSUED = frozenset({Kind.GIVEN, Kind.CONSTANT})
 
@@ -45,14 +47,27 @@ def _following(
     used = _with_number(case, one) if math.isfinite(one.value) else None
     if used is None:
         return
+    held = _held(case, used, judged, one)
     for answer in judged:
         name, comparison = answer.quantity.id, answer.comparison
         if name in taken or name == one.quantity or comparison is None:
             continue
         if answer.judgement.outcome.traits.mistake and comparison.answer.unit_fits:
             again = judge_answer(used, answer.quantity, comparison.answer)
-            if again.judgement.outcome.traits.follows:
+            if again.judgement.outcome.traits.follows or name in held:
                 yield name
+
+
+def _held(
+    case: GradingCase, used: GradingCase, judged: Sequence[JudgedAnswer], one: Substitution
+) -> Collection[str]:
+    """Return the answers that are what the calculator held of somebody who used the number."""
+    quantity = case.plan.quantities[one.quantity]
+    if quantity.kind in _ISSUED:
+        held = held_by(used, judged)
+    else:
+        held = held_by(case, judged, {quantity.id: one.value * factor(quantity.unit)})
+    return () if held is None else held.met
 
 
 def _with_number(case: GradingCase, one: Substitution) -> GradingCase | None:

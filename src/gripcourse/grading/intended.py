@@ -14,6 +14,7 @@ from typing import Final
 from gripcourse.course.quantity import Kind
 from gripcourse.grading.comparison import Comparison
 from gripcourse.grading.judge_rough import is_rounded_from
+from gripcourse.grading.shortened import shortened_in
 from gripcourse.grading.submission_case import (
     GradingCase,
     JudgedAnswer,
@@ -108,7 +109,8 @@ def _intended(
     comparison, traits = one.comparison, one.judgement.outcome.traits
     if comparison is None or not math.isfinite(comparison.expected):
         return None
-    coarse = traits.right and not traits.equals_reference and not traits.follows
+    # Who shortens a constant goes on with what is written, which only digits are missing of.
+    coarse = traits.coarse and shortened_in(comparison) is None
     rounded = coarse or (traits.equals_reference and _is_right_by_rounding(comparison))
     # A number that was written into the wrong cell was not the one that was computed with, nor was
     # one whose digits were exchanged in typing.

@@ -9,6 +9,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 from gripcourse.course.quantity import Quantity
+from gripcourse.grading.as_calculated import as_calculated
 from gripcourse.grading.causes import causes_of, roots_of, spoiled_first, spoiled_later
 from gripcourse.grading.charged_once import shortened_once
 from gripcourse.grading.diagnose import CandidatesOf, said_of_blank
@@ -75,7 +76,7 @@ def judge(
     case = make_case(submission, issued, plan, policy, methods)
     compared = [judge_answer(case, one, submission.answers.get(one.id)) for one in _in_order(plan)]
     case, compared = in_own_manner(case, compared)
-    explained = explain(case, compared)
+    explained = as_calculated(case, explain(case, compared))
     intended = exchanged_once(case, shortened_once(case, as_intended(case, explained)))
     found = substitutions(case, intended)
     substituted = extended(case, intended, found)

@@ -24,19 +24,30 @@ def judge_rough(comparison: Comparison) -> Judgement | None:
         more; None where the last typed digit does not explain the difference, or the answer is one
         that is taken as it stands.
     """
-    value = comparison.value
-    own = comparison.follows.nearest(value)
+    own = comparison.follows.nearest(comparison.value)
     best: Judgement | None = None
     for target, against in ((comparison.reference, Against.REFERENCE), (own, Against.OWN_INPUTS)):
-        if is_rounded_from(comparison, target):
-            earns = abs(value - target) <= ROUGHEST * abs(target)
-            if comparison.quantity.exact and not earns:
-                continue  # nobody rounds a number of a table so far: it is that of another row
-            credit = comparison.policy.rough_credit if earns else 0.0
-            said = _said(comparison, target)
-            found = conclude(comparison, Outcome.ROUGH, against, credit, said)
-            best = found if best is None or found.credit > best.credit else best
+        found = judge_rounded(comparison, target, against)
+        if found is not None and (best is None or found.credit > best.credit):
+            best = found
     return best
+
+
+def judge_rounded(comparison: Comparison, target: float, against: Against) -> Judgement | None:
+    """Conclude that a number is a certain one, rounded or cut off; None where it is not.
+
+    Args:
+        comparison: of the answer.
+        target: the number, in the declared unit.
+        against: where it comes from.
+    """
+    if not is_rounded_from(comparison, target):
+        return None
+    earns = abs(comparison.value - target) <= ROUGHEST * abs(target)
+    if comparison.quantity.exact and not earns:
+        return None  # nobody rounds a number of a table so far: it is that of another row
+    credit = comparison.policy.rough_credit if earns else 0.0
+    return conclude(comparison, Outcome.ROUGH, against, credit, _said(comparison, target))
 
 
 def _said(comparison: Comparison, target: float) -> Message:

@@ -9,7 +9,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gripcourse.grading.comparison import Comparison
-from gripcourse.grading.rounding import typed_half_unit, without_zeros
 from gripcourse.grading.unwritten import carried_here
 from gripcourse.text.units import factor
 
@@ -37,8 +36,8 @@ def reach(comparison: Comparison) -> float:
     """
     answer, policy, follows = comparison.answer, comparison.policy, comparison.follows
     half_unit = max(
-        typed_half_unit(answer, policy),
-        without_zeros(answer, policy),
+        comparison.manner.half_unit(answer, policy),
+        comparison.manner.lost_zeros(answer, policy),
         _FINEST * abs(comparison.value),
     )
     spread = (follows.high - follows.low) / 2

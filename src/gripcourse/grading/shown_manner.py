@@ -14,6 +14,7 @@ from typing import Final
 from gripcourse.course.quantity import Kind
 from gripcourse.formula.tree import Formula
 from gripcourse.grading.comparison import Comparison
+from gripcourse.grading.last_digits import LastDigit, rule_of
 from gripcourse.grading.manner import UNKNOWN, Manner
 from gripcourse.grading.rounding import cuts_off, figure_half_unit
 from gripcourse.grading.shortened import uses_constant, with_constants
@@ -71,7 +72,21 @@ def manner_of(judged: Sequence[JudgedAnswer]) -> Manner:
     figures = _figures(right)
     constants = _constants(right, figures)
     cut, typed = _ways(right[:_TELLING], figures, constants)
-    return Manner(cut, typed, figures, constants)
+    return Manner(cut, typed, figures, constants, _last_digit(judged))
+
+
+def _last_digit(judged: Sequence[JudgedAnswer]) -> LastDigit | None:
+    """Return where all computed numbers end, wrong ones too; None where that shows nothing."""
+    typed = [
+        one.comparison
+        for one in judged
+        if one.comparison is not None
+        and one.quantity.kind is Kind.FORMULA
+        and not (one.quantity.exact or one.quantity.integer)
+        and one.comparison.value
+        and one.comparison.answer.half_unit
+    ]
+    return rule_of([one.answer for one in typed], typed[0].policy.figures) if typed else None
 
 
 def _figures(right: Sequence[Comparison]) -> int:

@@ -166,7 +166,7 @@ def _of_input(
 ) -> Iterator[Substitution]:
     """Yield the best explanation by another number for an input, if it is likely enough."""
     number = float(case.follow_through.evaluation.values[name])
-    if not math.isfinite(number) or number == 0:
+    if not math.isfinite(number):
         return
     sets: dict[tuple[str, ...], list[_Trial]] = {}
     evident = {one.name for one in using if not one.is_far}
@@ -199,7 +199,12 @@ def _trials(
     """Yield numbers that may have been used: what a number is taken for, then any that fits."""
     unit = factor(case.plan.quantities[name].unit)
     numbers = [(one * unit, share) for one, share in _misread(case, name).items()]
-    found = [span for one in using if one.is_range for span in spans(one.comparison, name)]
+    found = [
+        span
+        for one in using
+        if one.is_range and right  # nobody knows how large what is wrong may be beside a zero
+        for span in spans(one.comparison, name)
+    ]
     spread = case.policy.slips.spread
     numbers += [
         (value, ANYTHING * _scatter(value, right, spread) * width)

@@ -8,7 +8,6 @@ import math
 from typing import Final
 
 from gripcourse.grading.comparison import Comparison, ExpectedRange
-from gripcourse.grading.rounding import typed_half_unit, without_zeros
 
 # The last digits of a number differ by the route: 3.14159 for pi.
 _FINEST: Final = 5e-6
@@ -30,7 +29,8 @@ def density(comparison: Comparison, result: ExpectedRange) -> float:
     """Return how densely typed numbers lie at an answer, for people who compute this result."""
     if comparison.value == 0:
         return 0.0  # it has no last digit, and says nothing about where it comes from
-    rounded = without_zeros(comparison.answer, comparison.policy, comparison.manner.figures)
+    manner = comparison.manner
+    rounded = manner.lost_zeros(comparison.answer, comparison.policy, manner.figures)
     as_typed = _as_typed(comparison, result)
     if rounded == 0:
         return as_typed
@@ -44,7 +44,7 @@ def _as_typed(comparison: Comparison, result: ExpectedRange) -> float:
     value = comparison.value
     finest = _FINEST * abs(value)
     figures = comparison.manner.figures
-    fine = max(typed_half_unit(comparison.answer, comparison.policy, figures), finest)
+    fine = max(comparison.manner.half_unit(comparison.answer, comparison.policy, figures), finest)
     coarse = max(comparison.answer.half_unit, finest)
     if coarse <= fine:
         return _density(comparison, result, fine)
@@ -93,8 +93,8 @@ def furthest_met(comparison: Comparison) -> float:
     """Return how far from a result a typed number can be that it still speaks for."""
     half_units = (
         comparison.answer.half_unit,
-        typed_half_unit(comparison.answer, comparison.policy),
-        without_zeros(comparison.answer, comparison.policy),
+        comparison.manner.half_unit(comparison.answer, comparison.policy),
+        comparison.manner.lost_zeros(comparison.answer, comparison.policy),
         _FINEST * abs(comparison.value),
     )
     return max(half_units) * max(1.0, 2 * comparison.policy.last_digit) + _SLACK * abs(

@@ -94,7 +94,7 @@ def _steps(comparison: Comparison) -> int:
 
 def _is_far(judgement: Judgement) -> bool:
     """Tell whether an answer may be rounded so far that it earns nothing; or it is another one."""
-    return judgement.outcome.traits.coarse and not judgement.credit
+    return judgement.outcome.traits.coarse and not (judgement.credit or judgement.held)
 
 
 def is_from_blank(judgement: Judgement) -> bool:

@@ -21,6 +21,8 @@ from gripcourse.slips.model import USED, SlipId
 
 _OWNER = frozenset({FlagCode.COPIED_FROM})
 _PAID_BY_CHANCE = 0.005  # share of the works with a mistake
+# Share of answers: what is lost in a blank step by who rounds far is not always to be found.
+_COARSE_REFUSED = 0.0001
 _SPOILED = 2  # answers that a number used wrongly must spoil before it can be told
 
 
@@ -125,14 +127,15 @@ def _rates(judged: Sequence[JudgedForeign], mix: Mix) -> Iterator[tuple[str, Rat
     refused = [found for one in fine for found in _refused(one)]
     yield "honest_refused", Rate(sum(refused), len(refused), at_most=required.honest_refused)
     refused = [found for one in coarse for found in _refused(one)]
-    yield "coarse_refused", Rate(sum(refused), len(refused))
+    yield "coarse_refused", Rate(sum(refused), len(refused), at_most=_COARSE_REFUSED)
     once = [one for one in works if charged(one) <= 1]
     yield "charged_once", Rate(len(once), len(works), at_least=required.charged_once)
     spoiling = [one for one in works if len(one.work.reaches) >= _SPOILED]
     once = [one for one in spoiling if charged(one) <= 1]
     yield "charged_once_of_spoiling", Rate(len(once), len(spoiling), at_least=required.charged_once)
     coarse_works = _mistaken(judged, coarse=True)
-    yield "coarse_charged_once", _share(coarse_works, lambda one: charged(one) <= 1)
+    least = required.charged_once
+    yield "coarse_charged_once", _share(coarse_works, lambda one: charged(one) <= 1, at_least=least)
     yield from _uncharged(works)
     yield "misnamed", _share(works, _is_misnamed, at_most=required.misnamed)
     yield "blamed", _share(works, _is_blamed, at_most=required.blamed)

@@ -74,4 +74,6 @@ def _to_figures(shown: Decimal, figures: int, *, cut: bool = False) -> str:
 
 
 def _to_decimals(shown: Decimal, decimals: int) -> str:
+    if shown.adjusted() >= _DISPLAY:  # after a mistake: a calculator shows no decimals of it
+        return f"{shown:f}"
     return f"{shown.quantize(Decimal(1).scaleb(-decimals), ROUND_HALF_UP):f}"
