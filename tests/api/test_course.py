@@ -203,6 +203,15 @@ class TestGrading:
         assert decided.student == "s02"
         assert "issued_to_other" in {flag.code for flag in decided.flags}
 
+    def test_an_order_of_folders_of_one_s_own_says_whose_a_file_is(self, own: gc.Course) -> None:
+        files = [("group 41/s02 - answers.txt.xlsx", b"no workbook")]
+        assert [one.student for one in own.grade(files).reports] == [""]
+        ordered = own.grade(files, pattern="group */{id} - *.xlsx")
+        assert [one.student for one in ordered.reports] == ["s02"]
+        with pytest.raises(gc.GripcourseError) as refused:
+            own.grade(files, pattern=41)  # type: ignore[arg-type]
+        assert [one.parameter for one in refused.value.problems] == ["pattern"]
+
 
 class TestCourses:
     def test_a_folder_that_is_no_course_is_refused(self, tmp_path: Path) -> None:

@@ -2,13 +2,14 @@
 
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field, replace
-from datetime import UTC, date, datetime
+from datetime import date
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from gripcourse.api.choices import a_day, a_name, a_text, nothing, today_here, whole_number
 from gripcourse.api.choices import chosen_convention as convention_of
 from gripcourse.api.choices import chosen_language as language_of
+from gripcourse.api.grading import GradingWanted, grade_wanted
 from gripcourse.api.make_results import (
     check_result,
     issue_result,
@@ -24,7 +25,7 @@ from gripcourse.api.results import (
     SolutionResult,
     VariantsResult,
 )
-from gripcourse.api.sources import FileLike, path_of, place_of, read, readable, workbooks
+from gripcourse.api.sources import FileLike, path_of, read, readable
 from gripcourse.api.validate import validate
 from gripcourse.course.load import load_course
 from gripcourse.course.model import Course as Definition
@@ -35,6 +36,7 @@ from gripcourse.machine.resources import course_root
 from gripcourse.policy.load import load_policy
 from gripcourse.policy.model import Policy
 from gripcourse.text.words import Words
+from gripcourse.usecases.marks.batch_wish import BatchWish
 from gripcourse.variants.table import read_table, write_table
 
 if TYPE_CHECKING:
@@ -287,6 +289,7 @@ class Course:
         graded_on: date | None = None,
         whose: Mapping[str, str] | None = None,
         handed_in: Iterable[str] = (),
+        pattern: str | None = None,
         either_version: bool | None = None,
         recalculate: bool = False,
         workers: int = 0,
@@ -303,6 +306,8 @@ class Course:
             whose: ids of students by file, where a person says who handed it in.
             handed_in: when files were handed in, as `file=2026-12-01 18:00`, or one moment for all;
                 files of which nothing is said have their own time, bytes none.
+            pattern: where your own paths say whose a file is, as `{name}/{id}*.xlsx`; None where
+                only platforms' own ways count.
             either_version: of what was issued anew, whether the version counts that gives more;
                 None as the gradebook says, else the workbook's own version.
             recalculate: whether LibreOffice computes all formulas, and results that differ are
@@ -315,38 +320,16 @@ class Course:
             GripcourseError: a path does not exist, or the register or gradebook cannot be used. The
                 faults of a submission are in its report.
         """
-        from gripcourse.batch.comparing import comparing_apart
-        from gripcourse.batch.graded import reports_of
-        from gripcourse.usecases.grading.batch_tables import batch_result
-        from gripcourse.usecases.grading.grade import grade, write_results
-        from gripcourse.usecases.marks.batch_wish import BatchWish
-        from gripcourse.usecases.marks.gradebook import keep
-        from gripcourse.usecases.marks.opening import as_wished, grading_of
-
-        day = a_day("graded_on", graded_on) or today_here()
-        folder, workers = None if out is None else path_of(out), whole_number("workers", workers, 0)
-        sources, others = workbooks(files)
         wish = BatchWish(
             whose=tuple(f"{file}={student}" for file, student in (whose or {}).items()),
             handed_in=tuple(handed_in),
+            pattern=None if pattern is None else a_text("pattern", pattern),
             either_version=either_version,
             recalculate=recalculate,
         )
-        place = None if gradebook is None else place_of(gradebook)
-        course = grading_of(self.definition, self.policy)
-        context, times = as_wished(wish, sources, course, place, workers)
-        with comparing_apart(context, None) as comparing:
-            graded = grade(sources, context, workers, on_done, comparing=comparing)
-            if place is not None:
-                graded = keep(graded, context, place, datetime.now(UTC), times)
-            graded = comparing.entered(graded)
-        reports = reports_of(graded)
-        if folder is not None:
-            reports = write_results(
-                graded, context, folder, day, workers, nothing, passed_over=others
-            ).reports
-        failed = [one.incident for one in graded if one.incident]
-        return batch_result(reports, self.words, context, others, failed)
+        day = a_day("graded_on", graded_on)
+        wanted = GradingWanted(files, out, gradebook, day, wish, workers, on_done)
+        return grade_wanted(self.definition, self.policy, self.words, wanted)
 
     def table_source(self, table: FileLike | None) -> Path | NamedBytes:
         """Return the table that is meant: the named one, else the course's main one."""

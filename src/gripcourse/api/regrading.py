@@ -6,7 +6,7 @@ from datetime import UTC, datetime
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from gripcourse.api.choices import nothing, whole_number
+from gripcourse.api.choices import a_text, nothing, whole_number
 from gripcourse.api.course import Course
 from gripcourse.api.refusals import refusals_said
 from gripcourse.api.sources import FileLike, place_of, workbooks
@@ -32,6 +32,7 @@ def regrade(  # noqa: PLR0913 (the last ones are what everybody leaves as they a
     gradebook: str | Path,
     *,
     whose: Mapping[str, str] | None = None,
+    pattern: str | None = None,
     either_version: bool | None = None,
     workers: int = 0,
     on_done: Callable[[object], None] = nothing,
@@ -46,6 +47,7 @@ def regrade(  # noqa: PLR0913 (the last ones are what everybody leaves as they a
         files: paths of files and folders, or bytes with their names.
         gradebook: path or database URL.
         whose: ids of students by file, where a person says who handed it in.
+        pattern: where your own paths say whose a file is; as for `Course.grade`.
         either_version: of what was issued anew, whether the version counts that gives more; None
             as the gradebook says, else the workbook's own version.
         workers: how many processes; 0 for none but this one.
@@ -64,7 +66,8 @@ def regrade(  # noqa: PLR0913 (the last ones are what everybody leaves as they a
     context = grading_of(course.definition, course.policy)
     pairs = tuple(f"{file}={student}" for file, student in (whose or {}).items())
     place = place_of(gradebook)
-    wish = BatchWish(pairs, either_version=either_version)
+    said = None if pattern is None else a_text("pattern", pattern)
+    wish = BatchWish(pairs, pattern=said, either_version=either_version)
     context = as_decided(context, sources, place, wish)
     kept = _earlier(course, context, workers)
     return ask(sources, context, place, workers, datetime.now(UTC), on_done, kept=kept)
