@@ -1,6 +1,6 @@
 """Works are compared by another process while this one keeps them; what comes of it is the same."""
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import replace
 
 import pytest
@@ -79,10 +79,23 @@ def test_what_is_said_of_works_meanwhile_stands_after_what_they_have_in_common(
     assert codes(found[2]) == ["several_files", "same_creator"]
 
 
+def killed(*_: object) -> Lost:
+    return Lost("killed")
+
+
+def no_room(*_: object) -> None:
+    raise OSError
+
+
+def no_answer(*_: object) -> None:
+    raise EOFError
+
+
+@pytest.mark.parametrize("does", [killed, no_room, no_answer])
 def test_where_the_other_process_comes_to_nothing_all_is_compared_here(
-    comparing: Comparing, monkeypatch: pytest.MonkeyPatch
+    comparing: Comparing, monkeypatch: pytest.MonkeyPatch, does: Callable[..., Lost | None]
 ) -> None:
-    monkeypatch.setattr(StandingWorkers, "do", lambda *_: Lost("killed"))
+    monkeypatch.setattr(StandingWorkers, "do", does)
     batch = begun(comparing)
     found = comparing.entered(batch)
     assert codes(found[0].report) == ["several_files", "same_creator"]

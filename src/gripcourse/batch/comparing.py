@@ -18,7 +18,7 @@ from gripcourse.batch.copies import Alike, like_others, solve_ahead, with_alike
 from gripcourse.batch.graded import Graded, on_a_shelf, reports_of
 from gripcourse.batch.kept_reports import KeptReports
 from gripcourse.machine.jobs.lost import Lost
-from gripcourse.machine.jobs.pools import FORKED
+from gripcourse.machine.jobs.pools import FORKED, NOT_STARTED
 from gripcourse.machine.jobs.standing import StandingWorkers
 from gripcourse.machine.shelf import Places, Shelved
 
@@ -134,7 +134,7 @@ class _Other:
         """Wait for what it found; None where it found nothing out."""
         try:
             alike = None if self.answer is None else self.answer.result()
-        except OSError:  # the system has no room for it
+        except (*NOT_STARTED, MemoryError):  # the system has no room for it
             return None
         return None if isinstance(alike, Lost) else alike
 
