@@ -8,6 +8,7 @@ from functools import cache
 import pytest
 
 from gripcourse.course.model import Course
+from gripcourse.documents.report import cohort
 from gripcourse.documents.report.cohort import cohort_report, cohort_values
 from gripcourse.documents.report.items import item_statistics
 from gripcourse.documents.report.quantities import AskedQuantity, quantity_groups
@@ -220,6 +221,21 @@ def test_a_cohort_of_which_nothing_could_be_judged_is_reported_too(
     reports: list[Report], printed: Callable[..., bytes], pages_of: Callable[[bytes], list[str]]
 ) -> None:
     assert len(pages_of(printed(reports[-1:], "en"))) == 1
+
+
+def test_a_table_too_long_for_paper_says_where_all_of_it_stands(
+    reports: list[Report],
+    printed: Callable[..., bytes],
+    text_of: Callable[[bytes], str],
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr(cohort, "_MOST_ROWS", 2)
+    written = " ".join(text_of(printed(reports * 2, "en")).split())
+    assert "Only the first 2 of 8 stand here; the table of grades has all." in written  # students
+    assert "Only the first 2 of 4 stand here; the table of grades has all." in written  # to look at
+    assert "Сидоров" not in written.split("Students", 1)[1]
+    monkeypatch.setattr(cohort, "_MOST_ROWS", 8)
+    assert "Only the first" not in text_of(printed(reports * 2, "en"))
 
 
 def test_the_headings_of_a_long_table_are_repeated(

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from datetime import date
 from functools import partial
 from pathlib import PurePath
+from typing import Final
 
 from gripcourse.course.compose import declared_in
 from gripcourse.course.model import Course, Section
@@ -39,6 +40,9 @@ from gripcourse.text.words import Message, Words, message
 
 TEMPLATE = "cohort.html.j2"
 STYLES = ("page.css", "formula.css", "cohort.css")
+# A page holds fifty rows: nobody reads more of them on paper, and ten thousand take three gigabytes
+# to lay out.
+_MOST_ROWS: Final = 2000
 
 
 @dataclass(frozen=True, slots=True)
@@ -104,7 +108,9 @@ def cohort_values(
     rows = [_section(works, section, number, policy, words)
             for number, section in enumerate(sections, start=1)]  # fmt: skip
     columns = [section.id for section in sections]
-    students = [_student(one, columns, policy, words) for one in _side_by_side(reports)]
+    beside = _side_by_side(reports)
+    students = [_student(one, columns, policy, words) for one in beside[:_MOST_ROWS]]
+    flagged = [report for report in reports if report.flags]
     return {
         "course": course.title.of(words.language),
         "summary": list(_summary(reports, scores, words)),
@@ -112,6 +118,7 @@ def cohort_values(
         "scales": [one.title.of(words.language) for one in policy.scales],
         "late": any(one.judged and one.is_cut for one in reports),
         "students": aligned_rows(students, "sections", "score", "before", "open_points"),
+        "more_students": _more(len(beside), words),
         "score_plot": Chart(partial(score_plot, scores, words)) if scores else "",
         "section_plot": _section_plot(works, sections, words),
         "facility_plot": Chart(partial(facility_plot, bars, words)) if bars else "",
@@ -128,8 +135,21 @@ def cohort_values(
         "groups": quantity_groups(asked, words),
         "marked": marked_tables(reports, declared, policy, words),
         "decided": decision_rows(reports, declared, words),
-        "flagged": flagged_files(reports, declared, words),
+        "flagged": flagged_files(flagged[:_MOST_ROWS], declared, words),
+        "more_flagged": _more(len(flagged), words),
     }
+
+
+def _more(rows: int, words: Words) -> str:
+    """Say where the rows stand that a report has no room for; empty where all are there."""
+    if rows <= _MOST_ROWS:
+        return ""
+    said = message(
+        "Only the first {shown} of {count} stand here; the table of grades has all.",
+        shown=_MOST_ROWS,
+        count=rows,
+    )
+    return words.say(said)
 
 
 def _summary(

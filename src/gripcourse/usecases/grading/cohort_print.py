@@ -9,12 +9,16 @@ from concurrent.futures import Future, ThreadPoolExecutor
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Final
 
 from gripcourse.grading.model import Report
 from gripcourse.machine.files import write_bytes
 from gripcourse.machine.jobs.workers import Lost, run_each
 from gripcourse.usecases.grading.student_reports import Printing, cohort_pdf
 from gripcourse.usecases.grading.unchanged import PrintedBefore, told_of
+
+# A report on three thousand works takes a minute.
+_SECONDS_PER_WORK: Final = 0.1
 
 
 @dataclass(frozen=True, slots=True)
@@ -93,8 +97,9 @@ def printing_cohort(
 
 
 def _laid_out(reports: Sequence[Report], printing: Printing, workers: int) -> bytes | Lost:
+    seconds = printing.seconds + len(reports) * _SECONDS_PER_WORK
     jobs = run_each(
-        cohort_pdf, [tuple(reports)], printing, workers=min(workers, 1), seconds=printing.seconds
+        cohort_pdf, [tuple(reports)], printing, workers=min(workers, 1), seconds=seconds
     )
     ((_, pdf),) = jobs
     return pdf
