@@ -42,11 +42,11 @@ def test_outcomes_of_a_quantity_are_counted(perfect: Report, wrong: Change) -> N
 def test_a_section_has_a_share_of_each_judged_report(
     perfect: Report, wrong: Change, rejected: Change
 ) -> None:
-    found = section_shares(
-        [perfect, wrong(perfect, "drive_force", 1.0), rejected(perfect)], "drive"
-    )
+    shares = section_shares([perfect, wrong(perfect, "drive_force", 1.0), rejected(perfect)])
+    found = shares["drive"]
     assert len(found) == 2
     assert found[0] == 1.0 > found[1]
+    assert set(shares) == {one.section for one in perfect.findings if one.max_points}
 
 
 @pytest.mark.parametrize("scores", [[], [0.5]])

@@ -1,6 +1,6 @@
 """The report on a cohort, for the instructor: what to look at, slips, fairness, every quantity."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from datetime import date
 from functools import partial
@@ -105,7 +105,8 @@ def cohort_values(
     asked = AskedQuantity(judged, totals, items, declared, course)
     bars = hardest(asked, words)
     sections = [section for section in course.sections if section.id in policy.section_points]
-    rows = [_section(works, section, number, policy, words)
+    earned = section_shares(works)
+    rows = [_section(earned.get(section.id, ()), section, number, policy, words)
             for number, section in enumerate(sections, start=1)]  # fmt: skip
     columns = [section.id for section in sections]
     beside = _side_by_side(reports)
@@ -120,7 +121,7 @@ def cohort_values(
         "students": aligned_rows(students, "sections", "score", "before", "open_points"),
         "more_students": _more(len(beside), words),
         "score_plot": Chart(partial(score_plot, scores, words)) if scores else "",
-        "section_plot": _section_plot(works, sections, words),
+        "section_plot": _section_plot(earned, sections, words),
         "facility_plot": Chart(partial(facility_plot, bars, words)) if bars else "",
         "slips": aligned_rows(slip_rows(works, declared, words), "share"),
         "kinds": aligned_rows(kind_rows(works, policy.slips, words), "share"),
@@ -176,9 +177,9 @@ def _share(share: float | None, words: Words) -> str:
 
 
 def _section(
-    reports: Sequence[Report], section: Section, number: int, policy: Policy, words: Words
+    earned: Sequence[float], section: Section, number: int, policy: Policy, words: Words
 ) -> SectionRow:
-    found = spread(section_shares(reports, section.id))
+    found = spread(earned)
     return SectionRow(
         number=number,
         title=section.title.of(words.language),
@@ -191,12 +192,12 @@ def _section(
 
 
 def _section_plot(
-    reports: Sequence[Report], sections: Sequence[Section], words: Words
+    earned: Mapping[str, Sequence[float]], sections: Sequence[Section], words: Words
 ) -> Chart | str:
     boxes = [
-        ChartBox(section.title.of(words.language), found)
+        ChartBox(section.title.of(words.language), earned[section.id])
         for section in sections
-        if (found := section_shares(reports, section.id))
+        if section.id in earned
     ]
     return Chart(partial(box_plot, boxes, words)) if boxes else ""
 

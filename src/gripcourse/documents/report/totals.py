@@ -141,10 +141,14 @@ def peers_text(report: Report, policy: Policy, words: Words, earned: Sequence[fl
     return peer_quartiles(earned, words) if told else ""
 
 
-def section_shares(reports: Sequence[Report], section: str) -> list[float]:
-    """Return what each judged report earned in a section, as a share of what could be earned."""
-    totals = (section_totals(report).get(section) for report in reports if report.judged)
-    return [total.points / total.max_points for total in totals if total and total.max_points]
+def section_shares(reports: Iterable[Report]) -> dict[str, list[float]]:
+    """Return what each judged report earned in each section, as a share of what could be earned."""
+    earned: dict[str, list[float]] = {}
+    for report in reports:
+        for section, total in section_totals(report).items() if report.judged else ():
+            if total.max_points:
+                earned.setdefault(section, []).append(total.points / total.max_points)
+    return earned
 
 
 def spread(scores: Sequence[float]) -> PointsSpread:
