@@ -25,7 +25,7 @@ from gripcourse.machine.shelf import Places, Shelved
 # From so many works on a process is worth its start.
 _WORTH: Final = 200
 _SECONDS: Final = 30.0
-# Comparing one work with a cohort takes a thirtieth of it.
+# Many times what it takes: what hangs is compared here.
 _SECONDS_PER_WORK: Final = 0.01
 
 

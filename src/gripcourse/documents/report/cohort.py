@@ -40,8 +40,7 @@ from gripcourse.text.words import Message, Words, message
 
 TEMPLATE = "cohort.html.j2"
 STYLES = ("page.css", "formula.css", "cohort.css")
-# A page holds fifty rows: nobody reads more of them on paper, and ten thousand take three gigabytes
-# to lay out.
+# Nobody reads more of them on paper, and each takes time and memory to lay out.
 _MOST_ROWS: Final = 2000
 
 

@@ -52,7 +52,7 @@ def renew_tables(
     tables = [out / name for name in (GRADES_CSV, FILES_CSV, GRADES_JSON)]
     reports, arounds = reports_of(graded), Viewed(graded, _around)
     if printed is None:
-        write_tables(reports, context, out, passed_over, Known(arounds, absent=absent))
+        write_tables(reports, context, out, passed_over, WorkedOut(arounds, absent=absent))
         return
     students = (repr((one.student, one.left)) for one in context.register.values())
     digests = Shelved(one.digest for one in graded)
@@ -60,7 +60,7 @@ def renew_tables(
     if all(printed.stands(one, made_from) for one in tables):
         return
     lines = printed.lines_of(out / GRADES_JSON)
-    write_tables(reports, context, out, passed_over, Known(arounds, lines, digests, absent))
+    write_tables(reports, context, out, passed_over, WorkedOut(arounds, lines, digests, absent))
     for one in tables:
         printed.note(one, made_from)
 
@@ -70,8 +70,8 @@ def _around(graded: Graded) -> str:
 
 
 @dataclass(frozen=True, slots=True)
-class Known:
-    """What need not be put into words again, of reports in their order.
+class WorkedOut:
+    """What need not be worked out again, of reports in their order.
 
     Attributes:
         arounds: what `json_around` says of each; empty where nobody knows it.
@@ -91,7 +91,7 @@ def write_tables(
     context: GradingContext,
     out: Path,
     passed_over: Sequence[PassedOver] = (),
-    known: Known | None = None,
+    known: WorkedOut | None = None,
 ) -> None:
     """Write what concerns the whole batch: grades and all files, as CSV and JSON.
 
@@ -116,7 +116,7 @@ def write_tables(
         yield from map(graded_account, reports)
         yield from map(passed_over_account, passed_over)
 
-    known = known or Known(repeat(""))
+    known = known or WorkedOut(repeat(""))
     lines = zip(reports, known.digests or repeat(""), known.arounds, strict=False)
     absent = missing(reports, context) if known.absent is None else known.absent
     pieces = _json_pieces(reports, lines, called, passed_over, absent)

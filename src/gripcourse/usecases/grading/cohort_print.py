@@ -1,4 +1,4 @@
-"""The report on a whole batch, laid out while those of the students are: it takes as long as ten.
+"""The report on a whole batch, laid out while those of the students are: it takes far longer.
 
 Where a student's report fails, the batch has one more thing to look at, and its report is laid out
 once more.
@@ -17,7 +17,7 @@ from gripcourse.machine.jobs.workers import Lost, run_each
 from gripcourse.usecases.grading.student_reports import Printing, cohort_pdf
 from gripcourse.usecases.grading.unchanged import PrintedBefore, told_of
 
-# A report on three thousand works takes a minute.
+# Several times what a work adds to the report.
 _SECONDS_PER_WORK: Final = 0.1
 
 
