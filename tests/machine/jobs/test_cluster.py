@@ -154,6 +154,8 @@ def happened(
         alive = first.poll() is second.poll() is None
         by_processes = batch.graded("processes", PROCESSES, 1, lambda: None)
         by_cluster = batch.graded("cluster", pool, hands, first.kill)
+        # Before the scheduler goes, too: a worker without one ends by itself, sooner or later.
+        lost_a_worker = first.poll() is not None and second.poll() is None
         with patch.context() as other:
             other.setattr(on_cluster, "program_here", lambda: {**program_here(), **OLDER})
             late_stranger = refusal(
@@ -194,7 +196,7 @@ def happened(
         alive=alive,
         by_processes=by_processes,
         by_cluster=by_cluster,
-        lost_a_worker=first.poll() is not None and second.poll() is None,
+        lost_a_worker=lost_a_worker,
         stranger=stranger,
         late_stranger=late_stranger,
         gone=gone,
