@@ -4,16 +4,19 @@ Where a student's report fails, the batch has one more thing to look at, and its
 once more.
 """
 
-from collections.abc import Iterator, Sequence
-from concurrent.futures import Future, ThreadPoolExecutor
-from contextlib import contextmanager
+import traceback
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import AbstractContextManager, ExitStack, contextmanager, suppress
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Final
 
 from gripcourse.grading.model import Report
 from gripcourse.machine.files import write_bytes
-from gripcourse.machine.jobs.workers import Lost, run_each
+from gripcourse.machine.jobs.beside import done_beside
+from gripcourse.machine.jobs.limits import Limits
+from gripcourse.machine.jobs.lost import Lost
+from gripcourse.machine.jobs.work import Task, do
 from gripcourse.usecases.grading.student_reports import Printing, cohort_pdf
 from gripcourse.usecases.grading.unchanged import PrintedBefore, told_of
 
@@ -38,7 +41,7 @@ class CohortPrint:
     printing: Printing
     workers: int
     printed: PrintedBefore | None
-    begun: "Future[bytes | Lost] | None" = None
+    begun: Callable[[], bytes | Lost] | None = None
 
     def written(self, reports: Sequence[Report], *, changed: bool) -> Lost | None:
         """Write the report, unless an earlier run wrote it from the very same.
@@ -59,7 +62,7 @@ class CohortPrint:
         if self.begun is None or changed:
             pdf = _laid_out(reports, self.printing, self.workers)
         else:
-            pdf = self.begun.result()
+            pdf = self.begun()
         if isinstance(pdf, Lost):
             # An earlier one would say something else than the grades.
             self.path.unlink(missing_ok=True)
@@ -89,17 +92,27 @@ def printing_cohort(
     """
     plain = Printing(printing.course, printing.policy, printing.graded_on)
     stands = printed is not None and printed.stands(path, told_of(reports))
-    with ThreadPoolExecutor(1, "cohort") as thread:
+    with ExitStack() as stack:
         begun = None
         if workers > 1 and not stands:
-            begun = thread.submit(_laid_out, reports, plain, workers)
+            with suppress(OSError):  # no room for it: laid out at the end
+                begun = stack.enter_context(_begun(reports, plain))
         yield CohortPrint(path, plain, workers, printed, begun)
 
 
-def _laid_out(reports: Sequence[Report], printing: Printing, workers: int) -> bytes | Lost:
+def _begun(
+    reports: Sequence[Report], printing: Printing
+) -> AbstractContextManager[Callable[[], bytes | Lost]]:
     seconds = printing.seconds + len(reports) * _SECONDS_PER_WORK
-    jobs = run_each(
-        cohort_pdf, [tuple(reports)], printing, workers=min(workers, 1), seconds=seconds
-    )
-    ((_, pdf),) = jobs
-    return pdf
+    return done_beside(cohort_pdf, tuple(reports), printing, limits=Limits(), seconds=seconds)
+
+
+def _laid_out(reports: Sequence[Report], printing: Printing, workers: int) -> bytes | Lost:
+    """Lay it out now: in a process of its own, where there may be any."""
+    if workers == 0:
+        return do(Task(cohort_pdf, printing, printing.seconds, None), tuple(reports))
+    try:
+        with _begun(reports, printing) as answer:
+            return answer()
+    except OSError:
+        return Lost(traceback.format_exc())
