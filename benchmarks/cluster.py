@@ -24,7 +24,7 @@ from pathlib import Path
 from time import perf_counter, sleep
 from typing import Any
 
-import psutil
+from batches.watch import seen
 from distributed import Client
 
 from gripcourse.batch.context import GradingContext
@@ -93,15 +93,6 @@ def called(
     return {"title": title, **json.loads(done.stdout)}
 
 
-def spent(process: psutil.Process) -> float:
-    """Return the seconds of the processor that a process and all that it started have had.
-
-    Workers may be forks of a process that was started for that; it knows of those that have ended.
-    """
-    times = [one.cpu_times() for one in (process, *process.children(recursive=True))]
-    return float(sum(sum(one[:4]) for one in times))  # own and of ended ones, of user and system
-
-
 def measured(
     folder: Path, workers: int, address: str | None, pids: Sequence[int], works: int
 ) -> dict[str, float]:
@@ -118,9 +109,8 @@ def measured(
     register = read_register_file(register_of(folder), course.id).by_student()
     context = GradingContext(course, load_policy(course), register)
     files = sorted((folder / "submissions").glob("*.xlsx"))[:works]
-    processes = [psutil.Process(one) for one in pids]
     opened, own, children = perf_counter(), time.process_time(), of_children()
-    before = [spent(one) for one in processes]
+    before = [seen(one).busy for one in pids]
     done: list[float] = []
     with open_workers(workers, address) as (hands, pool):
         connected = time.process_time()
@@ -128,8 +118,8 @@ def measured(
             files, context, hands, lambda _: done.append(perf_counter()), pool=pool
         )
         main, peak = time.process_time(), peak_memory()
-        after = [spent(one) for one in processes]
-        empty = empty_jobs(hands, pool, processes[0]) if processes else 0.0
+        after = [seen(one).busy for one in pids]
+        empty = empty_jobs(hands, pool, pids[0]) if pids else 0.0
     scheduler, *busy = [late - early for late, early in zip(after, before, strict=True)] or [0.0]
     start = time.process_time()
     compared(graded, context)
@@ -151,13 +141,13 @@ def measured(
     }
 
 
-def empty_jobs(workers: int, pool: Pool, scheduler: psutil.Process) -> float:
+def empty_jobs(workers: int, pool: Pool, scheduler: int) -> float:
     """Return what main process and scheduler spend on a job that does nothing."""
 
     def give(count: int) -> float:
-        start = time.process_time() + spent(scheduler)
+        start = time.process_time() + seen(scheduler).busy
         in_order(run_each(nothing, range(count), None, workers=workers, seconds=9, pool=pool))
-        return time.process_time() + spent(scheduler) - start
+        return time.process_time() + seen(scheduler).busy - start
 
     give(1)
     return give(EMPTY_JOBS) / EMPTY_JOBS
@@ -169,7 +159,7 @@ def nothing(_: int, __: None) -> None:
 
 def of_children() -> float:
     """Return the seconds of the processor of all that this process has started."""
-    return spent(psutil.Process()) - time.process_time()
+    return seen(os.getpid()).busy - time.process_time()
 
 
 def page_seconds(graded: Sequence[Any], context: GradingContext) -> float:

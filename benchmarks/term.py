@@ -24,17 +24,17 @@ import tempfile
 import traceback
 import zipfile
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from contextlib import contextmanager, suppress
+from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from datetime import date
 from importlib import import_module
 from pathlib import Path
-from time import perf_counter, sleep
+from time import perf_counter
 from xml.sax.saxutils import escape
 
-import psutil
 from batches.apart import machine_ratio
-from cluster import cluster, spent
+from batches.watch import seen, wait_for_end
+from cluster import cluster
 
 from gripcourse.cli.demo.students import correct
 from gripcourse.course.load import load_course
@@ -58,7 +58,7 @@ WORKS = (1000, 10_000)
 PRINTED = 200
 WORKERS = 2
 WRONG = 3  # answers of each student
-SECONDS = 0.2  # between two looks at a command's memory
+SECONDS = 0.5  # between two looks at a command
 SEED = 26063
 _SHEET = re.compile(r'<sheet name="([^"]*)"[^>]*r:id="rId(\d+)"')
 _NAME = re.compile(r'<definedName name="([^"]*)">([^<]*)</definedName>')
@@ -276,21 +276,20 @@ def graded(base: Path, words: Sequence[str]) -> Cost:
     with (base / "said").open("wb") as said:
         process = subprocess.Popen([*call, "--quiet"], cwd=base, stdout=said, stderr=said)  # noqa: S603 (ours)
         # Not what the system says of it at its end: that begins with the peak of who started it.
-        own, of_workers, busy, ended = 0.0, 0.0, 0.0, 0
+        own, of_workers, busy, ended = 0, 0, 0.0, 0
         while not ended:
-            with suppress(psutil.Error):  # one of them ends just now
-                own = max(own, peak(process.pid))  # nothing of one that has just ended
-                running = psutil.Process(process.pid)
-                workers = running.children(recursive=True)
-                of_workers = max([of_workers, *(peak(one.pid) for one in workers)])
-                busy = max(busy, spent(running))
-            sleep(SECONDS)
+            look = seen(process.pid)
+            # Nothing of one that has just ended.
+            own, of_workers = max(own, look.own), max(of_workers, look.of_workers)
+            busy = max(busy, look.busy)
+            wait_for_end(process.pid, SECONDS)
             ended, status, used = os.wait4(process.pid, os.WNOHANG)
     seconds = perf_counter() - start
     process.returncode = os.waitstatus_to_exitcode(status)
     if process.returncode not in {0, 1}:
         raise RuntimeError((base / "said").read_text(encoding="utf-8"))
-    return Cost(seconds, max(busy, used.ru_utime + used.ru_stime), own, of_workers)
+    busy = max(busy, used.ru_utime + used.ru_stime)
+    return Cost(seconds, busy, own / 1e6, of_workers / 1e6)
 
 
 PARTS = {"local": grades_only, "cluster": on_a_cluster, "postgresql": in_postgresql}
