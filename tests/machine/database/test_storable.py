@@ -1,7 +1,5 @@
 """Texts that no database keeps are marked wherever they stand, in one row or in thousands."""
 
-from typing import Any
-
 import pytest
 
 from gripcourse.machine.database.storable import storable
@@ -20,7 +18,7 @@ from gripcourse.machine.database.storable import storable
         ([], []),
     ],
 )
-def test_a_mark_stands_for_what_cannot_be_kept(given: Any, kept: Any) -> None:
+def test_a_mark_stands_for_what_cannot_be_kept(given: object, kept: object) -> None:
     assert storable(given) == kept
 
 
