@@ -1,6 +1,6 @@
 """What the cells of a workbook show: their texts, their number formats, how days are counted."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from xml.etree.ElementTree import Element
 
@@ -54,7 +54,7 @@ def looks_of(package: Package, workbook: str, cells: Iterable[StoredCell]) -> Lo
     by_kind = {one.kind: one.part for one in package.related(workbook)}
     indices = (text_index(one.text) for one in cells if one.kind == "s")
     wanted = {one for one in indices if one is not None}
-    shared = _items(package.root(by_kind["sharedStrings"])) if wanted else ()
+    shared = _items(package.root(by_kind["sharedStrings"])) if wanted else []
     has_style = any(one.style for one in cells)
     return Looks(
         texts=shared_texts(shared, wanted),
@@ -63,6 +63,6 @@ def looks_of(package: Package, workbook: str, cells: Iterable[StoredCell]) -> Lo
     )
 
 
-def _items(table: Element) -> Iterable[Element]:
+def _items(table: Element) -> Sequence[Element]:
     """Return the texts of a table of them; a program counts no others, wherever they stand."""
-    return one_for_all(table).iterfind(f"{namespace(table)}si")
+    return one_for_all(table).findall(f"{namespace(table)}si")

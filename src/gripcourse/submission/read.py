@@ -32,7 +32,6 @@ from gripcourse.machine.spreadsheet.sheet_cells import (
     first_of_merged,
     stored_cells,
 )
-from gripcourse.machine.spreadsheet.xml_scan import local
 from gripcourse.submission.copied_sheets import about_copies
 from gripcourse.submission.harmless import about_damage, about_lost_formats
 from gripcourse.submission.identity import creator_of, identity_of
@@ -176,9 +175,7 @@ def _named(
 
 def _definitions(package: Package, workbook: str) -> Iterator[tuple[str, str]]:
     ours: list[tuple[bool, str, str]] = []
-    for element in package.root(workbook).iter():
-        if local(element) != "definedName":
-            continue
+    for element in package.elements(workbook, "definedName"):
         found = _NAME.fullmatch(element.get("name", "").lower())
         text = (element.text or "").strip()
         if found and len(text) <= _LONGEST_REFERENCE:

@@ -149,8 +149,7 @@ def counts_from_1904(package: Package, workbook: str) -> bool:
     """Tell whether a workbook counts days from 1904 on, as old ones of a Macintosh do."""
     return any(
         element.get("date1904", "0") in {"1", "true"}
-        for element in package.root(workbook).iter()
-        if local(element) == "workbookPr"
+        for element in package.elements(workbook, "workbookPr")
     )
 
 

@@ -7,7 +7,7 @@ styles and their types of content: such a part is gone through once for all of t
 
 import posixpath
 import zipfile
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from typing import Any, Final, TypeVar
@@ -20,7 +20,6 @@ from gripcourse.machine.spreadsheet.xml_scan import (
     Bounds,
     PartCounts,
     XmlScan,
-    local,
     local_name,
     may_hold_asides,
 )
@@ -62,6 +61,7 @@ class Package:
         members = archive.infolist()
         self._members = {part_name(member.filename): member for member in members}
         self._roots: dict[str, Element] = {}
+        self._by_name: dict[str, Mapping[str, Sequence[Element]]] = {}
         self._related: dict[str, tuple[Related, ...]] = {}
         self._seen: set[str] = set()
         self._damaged: list[str] = []
@@ -80,6 +80,15 @@ class Package:
         if part not in self._roots:
             self._roots[part] = self.tree(part)
         return self._roots[part]
+
+    def elements(self, part: str, name: str) -> Sequence[Element]:
+        """Return the elements of a short part that are called so, in whatever namespace.
+
+        They stand as in the part. Errors: see `root`.
+        """
+        if part not in self._by_name:
+            self._by_name[part] = _by_name(self.root(part))
+        return self._by_name[part].get(name, ())
 
     def sound_root(self, part: str) -> Element | None:
         """Return the tree of a short part that can be done without; None where it is damaged.
@@ -193,8 +202,8 @@ class Package:
                 kind=one.get("Type", "").rpartition("/")[2],
                 part=self._target(folder, one.get("Target", "")),
             )
-            for one in self.root(relations).iter()
-            if local(one) == "Relationship" and one.get("TargetMode") != "External"
+            for one in self.elements(relations, "Relationship")
+            if one.get("TargetMode") != "External"
         )
 
     def _target(self, folder: str, target: str) -> str:
@@ -222,9 +231,9 @@ class Package:
             if parts.setdefault(one.identifier, one.part) != one.part:
                 raise ValueError(one.identifier)
         sheets: dict[str, str] = {}
-        for element in self.root(workbook).iter():
+        for element in self.elements(workbook, "sheet"):
             part = parts.get(_attribute(element, "id") or "")
-            if local(element) == "sheet" and part is not None:
+            if part is not None:
                 title = element.get("name", "")
                 if title in sheets:
                     raise ValueError(title)
@@ -233,12 +242,12 @@ class Package:
 
     def lost_sheets(self, workbook: str) -> frozenset[str]:
         """Return the titles of the sheets whose cells are nowhere."""
-        listed = (one for one in self.root(workbook).iter() if local(one) == "sheet")
+        listed = self.elements(workbook, "sheet")
         return frozenset(one.get("name", "") for one in listed) - self.sheets(workbook).keys()
 
     def hidden_sheets(self, workbook: str) -> frozenset[str]:
         """Return the titles of the sheets that nobody sees."""
-        found = (one for one in self.root(workbook).iter() if local(one) == "sheet")
+        found = self.elements(workbook, "sheet")
         return frozenset(
             one.get("name", "") for one in found if one.get("state", "visible") != "visible"
         )
@@ -247,6 +256,18 @@ class Package:
         """Return the name of the part that lists sheets and names."""
         found = (one.part for one in self.related("") if one.kind == _OFFICE_DOCUMENT)
         return next(found, _USUAL_WORKBOOK)
+
+
+def _by_name(root: Element) -> Mapping[str, Sequence[Element]]:
+    """Return the elements of a tree by their names without namespaces."""
+    found: dict[str, list[Element]] = {}
+    names: dict[str, str] = {}
+    for element in root.iter():
+        tag = element.tag
+        if tag not in names:
+            names[tag] = local_name(tag)
+        found.setdefault(names[tag], []).append(element)
+    return found
 
 
 def _go_through(content: bytes, scan: XmlScan) -> None:

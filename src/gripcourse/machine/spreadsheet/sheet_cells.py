@@ -3,11 +3,12 @@
 import re
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from itertools import product
+from operator import attrgetter
 from typing import Final, NamedTuple, TypeAlias
 from xml.etree.ElementTree import Element
 
 from gripcourse.machine.spreadsheet.addresses import Place, place_of
-from gripcourse.machine.spreadsheet.xml_scan import local, namespace
+from gripcourse.machine.spreadsheet.xml_scan import local, local_name, namespace
 
 
 class StoredCell(NamedTuple):
@@ -36,6 +37,7 @@ CROSSED_OUT: Final = "\N{COMBINING LONG STROKE OVERLAY}"
 _LONGEST_CROSSED: Final = 500
 _CROSSED: Final = re.compile(f".{CROSSED_OUT}", re.DOTALL)
 _FOR_SOME: Final = "AlternateContent"
+_TAG_OF: Final = attrgetter("tag")
 EMPTY: Final = StoredCell("n", None, 0, "")
 
 
@@ -78,13 +80,14 @@ def stored_cells(sheet: Element, wanted: Collection[Place]) -> Mapping[Place, St
     """
     rows = {row for row, _ in wanted}
     space = namespace(sheet)
+    value_tag = f"{space}v"
     found: dict[Place, StoredCell] = {}
     for number, row in _numbered(_rows_in(sheet, space)):
         for place, cell in _of_row(one_for_all(row), number, space) if number in rows else ():
             if place in wanted:
                 if place in found:
                     raise ValueError(place)
-                found[place] = _stored(_of_one_value(cell), space)
+                found[place] = _stored(_of_one_value(cell, value_tag), space)
     return found
 
 
@@ -100,16 +103,17 @@ def one_for_all(holder: Element) -> Element:
     Raises:
         ValueError: some are for older programs, others for newer ones.
     """
-    for one in holder:
-        # Of every cell of every work: the ending is looked at first.
-        if one.tag.endswith(_FOR_SOME) and local(one) == _FOR_SOME:
-            raise ValueError(holder.tag)
+    # Of every cell of every work: the few tags of all of them are looked at.
+    if any(local_name(tag) == _FOR_SOME for tag in set(map(_TAG_OF, holder))):
+        raise ValueError(holder.tag)
     return holder
 
 
-def _of_one_value(cell: Element) -> Element:
+def _of_one_value(cell: Element, value_tag: str) -> Element:
     """Return a cell that holds one value at most, which is nothing but text."""
     if not len(cell):  # an element is false without children, and says so no longer
+        return cell
+    if len(cell) == 1 and cell[0].tag == value_tag and not len(cell[0]):  # nearly all
         return cell
     values = [one for one in one_for_all(cell) if local(one) in {"v", "is"}]
     names = {one.tag for one in values}
@@ -240,22 +244,14 @@ def _sign(escaped: re.Match[str]) -> str:
     return escaped[0] if _NO_SIGN.match(sign) else sign
 
 
-def shared_texts(elements: Iterable[Element], wanted: Collection[int]) -> Mapping[int, str]:
-    """Read the wanted items of the table of shared texts.
+def shared_texts(items: Sequence[Element], wanted: Iterable[int]) -> Mapping[int, str]:
+    """Read the wanted items of the table of shared texts; those that it lacks are left out.
 
     Args:
-        elements: of the table; its items are cleared.
-        wanted: numbers of items.
+        items: of the table.
+        wanted: numbers of items, from 0.
     """
-    found: dict[int, str] = {}
-    number = 0
-    for element in elements:
-        if local(element) == "si":
-            if number in wanted:
-                found[number] = text_of(element)
-            number += 1
-            element.clear()
-    return found
+    return {number: text_of(items[number]) for number in wanted if number < len(items)}
 
 
 def whole_number(text: str | None) -> int | None:
