@@ -1,5 +1,9 @@
-"""What grading one submission costs, as a ratio to opening the same file with openpyxl."""
+"""What grading one submission costs, as a ratio to opening the same file with openpyxl.
 
+Both are measured in turn, so that a machine that changes its speed meanwhile changes no ratio.
+"""
+
+import gc
 import tempfile
 from collections.abc import Callable, Mapping
 from dataclasses import replace
@@ -56,8 +60,13 @@ def main() -> None:
         wrong = _changed(
             submission, dict(zip(computed[:: len(computed) // 5], WRONG, strict=False))
         )
-        base = _median(lambda: load_workbook(file))
-        print(f"openpyxl.load_workbook                   {base * 1e3:7.1f} ms")
+
+        def opened() -> None:
+            load_workbook(file)
+
+        print(
+            f"openpyxl.load_workbook                   {_in_turn(opened, opened)[0] * 1e3:7.1f} ms"
+        )
         for name, call in (
             ("read the workbook", lambda: read_workbook(file)),
             ("make the plan", lambda: make_plan(course, variant.scheme, variant.options)),
@@ -67,8 +76,8 @@ def main() -> None:
             ("judge alone, explain five wrong answers", lambda: _judge(context, wrong, issued)),
             ("read and grade, all in all", lambda: grade_file(file, context)),
         ):
-            seconds = _median(call)
-            print(f"{name:<40} {seconds * 1e3:7.1f} ms, ratio {seconds / base:.2f}")
+            seconds, ratio = _in_turn(call, opened)
+            print(f"{name:<40} {seconds * 1e3:7.1f} ms, ratio {ratio:.2f}")
 
 
 def _judge(context: GradingContext, submission: Submission, issued: Issued) -> None:
@@ -86,14 +95,18 @@ def _changed(submission: Submission, factors: Mapping[str, float]) -> Submission
     return replace(submission, answers=answers)
 
 
-def _median(call: Callable[[], object]) -> float:
+def _in_turn(call: Callable[[], object], base: Callable[[], object]) -> tuple[float, float]:
+    """Return the seconds that a call takes, and their ratio to those of another one."""
+    pairs = [(_seconds(call), _seconds(base)) for _ in range(RUNS + 1)][1:]
+    return median(one for one, _ in pairs), median(one / other for one, other in pairs)
+
+
+def _seconds(call: Callable[[], object]) -> float:
+    # What the other one left for the collector of garbage is not counted here.
+    gc.collect()
+    start = process_time()
     call()
-    times = []
-    for _ in range(RUNS):
-        start = process_time()
-        call()
-        times.append(process_time() - start)
-    return median(times)
+    return process_time() - start
 
 
 if __name__ == "__main__":
