@@ -22,7 +22,7 @@ def without_fit(pattern: str, reports: Sequence["Report"], words: Words) -> Iter
         return
     said = message(
         "The pattern '{pattern}' fits no path here, so it does not say whose any file is. One of"
-        " the paths is {path}; capitals and small letters differ.",
+        " the paths is {path}.",
         pattern=one_line(pattern),
         path=one_line(reports[0].file),
     )
