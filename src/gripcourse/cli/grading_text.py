@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from gripcourse.cli import times_text
 from gripcourse.cli.file_names import told_apart
 from gripcourse.cli.missing_text import missing_text
-from gripcourse.cli.pattern_text import without_fit
+from gripcourse.cli.pattern_text import LOOKED_AT, for_names, without_fit
 from gripcourse.cli.table_layout import table_text
 from gripcourse.grading.flag_code import FlagCode
 from gripcourse.machine.shelf import Shelved
@@ -88,12 +88,15 @@ def batch_text(outcome: "GradingOutcome", out: Path, words: Words) -> str:
     lines = list[str]()
     asks = False
     names = set[str]()  # of those who handed something in
+    nobodys = list[str]()  # files, the first of them
 
     def row(one: "Report") -> tuple[str, ...]:
         nonlocal asks
         lines.extend(f"{called(one.file)}: {words.say(flag.message)}" for flag in one.flags)
         asks |= any(flag.code is FlagCode.WHO_HANDED_IN for flag in one.flags)
         names.add(one.name)
+        if len(nobodys) < LOOKED_AT and _is_nobodys(one):
+            nobodys.append(one.file)
         return (
             called(one.file),
             one_line(one.name) or one.student or "—",
@@ -116,6 +119,7 @@ def batch_text(outcome: "GradingOutcome", out: Path, words: Words) -> str:
         said = message("Ask, then grade again and say so, for example --whose s002.xlsx=s003.")
         lines.append(words.say(said))
     lines += without_fit(outcome.unfitting, outcome.reports, words)
+    lines += for_names(nobodys, outcome.missing, words)
     lines += _passed_over(outcome, words)
     lines += times_text.without_times(outcome.reports, words)
     lines += times_text.without_deadlines(outcome.undated, words)
@@ -167,6 +171,10 @@ def problems_text(outcome: "GradingOutcome", out: Path, words: Words) -> str:
         said = message("Incidents, each with its trace")
         lines.append(f"{words.say(said)}: {out / INCIDENTS}")
     return "\n".join(lines)
+
+
+def _is_nobodys(report: "Report") -> bool:
+    return any(flag.code is FlagCode.UNKNOWN_STUDENT for flag in report.flags)
 
 
 def _cohort_fault(outcome: "GradingOutcome", words: Words) -> Iterator[str]:
