@@ -20,6 +20,7 @@ IDS = ("s1", "s10", "ivanov-i", "ivanov")
         ("./{name} - *", "class/А Б - work.xlsx", "", "А Б"),
         ("*_{name}_*.xlsx", "1_А Б_2_3.xlsx", "", "2"),
         ("{name}{id}.xlsx", "А Бs10.xlsx", "s10", "А Б"),
+        ("{id}_*.xlsx", "in/IVANOV-I_1.XLSX", "ivanov-i", ""),
     ],
 )
 def test_a_path_of_the_form_says_who(pattern: str, file: str, identifier: str, name: str) -> None:
@@ -49,6 +50,6 @@ def test_no_name_that_a_student_chooses_takes_long(name: str) -> None:
 
 def test_a_pattern_that_fits_no_file_is_told() -> None:
     files = ("in/s1_a.xlsx", "in/s10_b.xlsx")
-    assert fits_none(path_pattern("{id}_*.XLSX", IDS), files) == "{id}_*.XLSX"
+    assert fits_none(path_pattern("{id}_*.ods", IDS), files) == "{id}_*.ods"
     assert fits_none(path_pattern("{id}_a.xlsx", IDS), files) == ""
     assert fits_none(None, files) == ""

@@ -70,9 +70,7 @@ def test_a_letter_written_as_two_signs_becomes_one(tmp_path: Path) -> None:
     assert student.id == "й"
 
 
-@pytest.mark.parametrize(
-    "id_", ["a/b", "a\\b", "..", ".a", "a b", "a:b", "a*", "con", "NUL.x", "a."]
-)
+@pytest.mark.parametrize("id_", ["../b", "..", ".a", "a:b", "a*", "con", "NUL.x", "a."])
 def test_an_id_that_cannot_name_a_folder_is_refused(tmp_path: Path, id_: str) -> None:
     ((key, said),) = problems_of(write(tmp_path, "student,name", f"{id_},Anna"))
     assert key == "row 2, column student"

@@ -137,6 +137,18 @@ def test_numbers_in_another_unit_of_the_heading_are_converted(
     assert read_table(write(tmp_path, header, cells), small_course)[0].given == GIVEN
 
 
+def test_a_share_may_be_written_with_the_sign_of_percent(
+    tmp_path: Path, small_course: Course
+) -> None:
+    table = write(tmp_path, HEADER, row(friction="15 %"), name="table.csv")
+    assert read_table(table, small_course)[0].given["friction"] == pytest.approx(0.15)
+
+
+def test_a_formula_without_a_stored_result_says_so(tmp_path: Path, small_course: Course) -> None:
+    ((_, said),) = problems_of(write(tmp_path, HEADER, row(mass="=B2*2")), small_course)
+    assert "result is not stored" in said
+
+
 def test_a_blank_cell_is_fine_where_the_options_do_not_need_it(
     tmp_path: Path, small_course: Course
 ) -> None:

@@ -40,6 +40,8 @@ class GradingContext:
             it is among the student's earlier versions.
         joins: the same with their moments, in the order in which they were joined.
         former: by student id, how the register wrote the person before.
+        answered: by file, the digest of what it held when it was graded before, and whose it was
+            then: who was asked need not answer again.
     """
 
     course: Course
@@ -56,16 +58,30 @@ class GradingContext:
     joined: Mapping[str, str] = field(default_factory=dict)
     joins: tuple[Join, ...] = ()
     former: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
+    answered: Mapping[str, tuple[str, str]] = field(default_factory=dict)
 
 
-def handed_in_by(file: str, identity: Identity | None, context: GradingContext) -> HandedIn:
-    """Tell whose a file is: a person's word first, then `identify`."""
+def handed_in_by(
+    file: str, identity: Identity | None, context: GradingContext, digest: str = ""
+) -> HandedIn:
+    """Tell whose a file is: a person's word first, then `identify`, then a person's earlier word.
+
+    Args:
+        file: path of the file.
+        identity: what the workbook says; None where it could not be read.
+        context: the course, its register, and what persons say.
+        digest: of the bytes; empty where nobody could read them.
+    """
+    known, earlier = context.register, context.earlier
     student = context.whose.get(file)
     if student is not None:
-        return named_by_person(student, identity, context.register, context.earlier)
-    known, earlier = context.register, context.earlier
+        return named_by_person(student, identity, known, earlier)
     pattern, joined, former = context.pattern, context.joined, context.former
-    return identify(file, identity, known, pattern, earlier, joined, former=former)
+    found = identify(file, identity, known, pattern, earlier, joined, former=former)
+    held, said = context.answered.get(file, ("", ""))
+    if found.issued is None and digest and held == digest and said in known:
+        return named_by_person(said, identity, known, earlier)
+    return found
 
 
 def likely_composition(file: str, context: GradingContext) -> Composition | None:

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, TypeAlias, TypeVar
 
+from gripcourse.grading.known_by import KnownBy
 from gripcourse.grading.model import Flag, Report
 from gripcourse.likeness.cells import SparseTable
 from gripcourse.likeness.issued import KeptTable
@@ -29,11 +30,13 @@ class KeptReports:
     Attributes:
         folder: of these reports alone, named after all that a report is made from but its file.
         whose: by file, the student who handed it in, where a person says so.
+        answered: by file, the digest of what it held before, and whose it was then.
         written: the file of what this run keeps, once there is anything.
     """
 
     folder: Path
     whose: Mapping[str, str]
+    answered: Mapping[str, tuple[str, str]] = field(default_factory=dict)
     written: list[RecordsFile] = field(default_factory=list)
 
     def of(self, files: Sequence[Readable]) -> Iterator[tuple[int, Report]]:
@@ -54,7 +57,11 @@ class KeptReports:
         """
         if not self.written:
             self.written.append(new_records(self.folder))
-        self.written[0].add(self._key(file, report.digest), report)
+        name = shown_name(file)
+        said = self.whose.get(name)
+        if said is None and report.known_by is KnownBy.PERSON:
+            said = self._answer(name, report.digest)
+        self.written[0].add(_key(name, report.digest, said), report)
 
     def flags_of(self, digests: Iterable[str], find: Callable[[], FlagsOf]) -> FlagsOf:
         """Return the flags that comparing reports comes to; the last comparison is kept.
@@ -92,13 +99,24 @@ class KeptReports:
         return found
 
     def _known(self, file: Readable, find: Find) -> Report | None:
-        digest = digest_of_content(file)
-        found = find(self._key(file, digest)) if digest else None
+        digest, name = digest_of_content(file), shown_name(file)
+        if not digest:
+            return None
+        said = self.whose.get(name)
+        found = find(_key(name, digest, said))
+        answer = self._answer(name, digest) if said is None else None
+        if answer is not None and not (isinstance(found, Report) and found.judged):
+            found = find(_key(name, digest, answer))  # else it is graded with the answer
         return found if isinstance(found, Report) and found.digest == digest else None
 
-    def _key(self, file: Readable, digest: str) -> bytes:
-        name = shown_name(file)
-        return hashlib.sha256(repr((name, digest, self.whose.get(name))).encode()).digest()
+    def _answer(self, name: str, digest: str) -> str | None:
+        """Return by what an earlier word for whose a file is is kept; None where there is none."""
+        held, student = self.answered.get(name, ("", ""))
+        return f"before: {student}" if student and held == digest else None
+
+
+def _key(name: str, digest: str, said: str | None) -> bytes:
+    return hashlib.sha256(repr((name, digest, said)).encode()).digest()
 
 
 def _digest_of(lines: Iterable[str]) -> str:

@@ -81,7 +81,7 @@ def grade_read(
         second: whether LibreOffice has looked at the file already.
     """
     identity = None if isinstance(raw, Rejected) else raw.identity
-    handed_in = handed_in_by(file, identity, context)
+    handed_in = handed_in_by(file, identity, context, raw.digest)
     report = replace(_report(raw, handed_in, context), known_by=handed_in.known_by)
     if isinstance(raw, Rejected):
         return report

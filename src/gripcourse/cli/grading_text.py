@@ -1,14 +1,13 @@
 """What the commands print that grade, mark and show what came of it."""
 
-from array import array
-from collections import Counter
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from gripcourse.cli import times_text
+from gripcourse.cli.file_names import told_apart
 from gripcourse.cli.missing_text import missing_text
-from gripcourse.cli.pattern_text import without_fit
+from gripcourse.cli.pattern_text import LOOKED_AT, for_names, without_fit
 from gripcourse.cli.table_layout import table_text
 from gripcourse.grading.flag_code import FlagCode
 from gripcourse.machine.shelf import Shelved
@@ -85,16 +84,19 @@ def batch_text(outcome: "GradingOutcome", out: Path, words: Words) -> str:
     from gripcourse.usecases.grading.batch_tables import FILES_CSV, GRADES_CSV
     from gripcourse.usecases.grading.grade import INCIDENTS, REPORTS
 
-    called = _called(outcome.reports)
+    called = told_apart([one.file for one in outcome.reports])
     lines = list[str]()
     asks = False
     names = set[str]()  # of those who handed something in
+    nobodys = list[str]()  # files, the first of them
 
     def row(one: "Report") -> tuple[str, ...]:
         nonlocal asks
         lines.extend(f"{called(one.file)}: {words.say(flag.message)}" for flag in one.flags)
         asks |= any(flag.code is FlagCode.WHO_HANDED_IN for flag in one.flags)
         names.add(one.name)
+        if len(nobodys) < LOOKED_AT and _is_nobodys(one):
+            nobodys.append(one.file)
         return (
             called(one.file),
             one_line(one.name) or one.student or "—",
@@ -117,6 +119,7 @@ def batch_text(outcome: "GradingOutcome", out: Path, words: Words) -> str:
         said = message("Ask, then grade again and say so, for example --whose s002.xlsx=s003.")
         lines.append(words.say(said))
     lines += without_fit(outcome.unfitting, outcome.reports, words)
+    lines += for_names(nobodys, outcome.missing, words)
     lines += _passed_over(outcome, words)
     lines += times_text.without_times(outcome.reports, words)
     lines += times_text.without_deadlines(outcome.undated, words)
@@ -153,7 +156,7 @@ def problems_text(outcome: "GradingOutcome", out: Path, words: Words) -> str:
     said_of = [(file, flag) for file, flags in flagged for flag in flags if flag.code in ours]
     lines = list[str]()
     if said_of:
-        called = _called(outcome.reports)
+        called = told_apart([one.file for one in outcome.reports])
         lines += [f"{called(file)}: {words.say(flag.message)}" for file, flag in said_of]
     lines += _cohort_fault(outcome, words)
     waiting = len(flagged)
@@ -170,33 +173,8 @@ def problems_text(outcome: "GradingOutcome", out: Path, words: Words) -> str:
     return "\n".join(lines)
 
 
-def _called(reports: Sequence["Report"]) -> Callable[[str], str]:
-    """Return what names a file of a batch: its name, with as many folders as tell it apart."""
-    # Of ends of paths, the shortest first, those that several files have; most names are unique.
-    several = list[frozenset[int]]()
-
-    def length(parts: Sequence[str]) -> int:
-        """Return with how many parts a path is told apart from those that were looked at."""
-        ends = (parts[-one:] for one in range(1, len(parts)))
-        alone = (hash(end) not in same for end, same in zip(ends, several, strict=False))
-        return next((one for one, is_alone in enumerate(alone, 1) if is_alone), len(several) + 1)
-
-    while True:
-        found = array("q")
-        for one in reports:
-            parts = Path(one.file).parts
-            if (needed := length(parts)) == len(several) + 1 <= len(parts):
-                found.append(hash(parts[-needed:]))
-        same = frozenset(hashed for hashed, count in Counter(found).items() if count > 1)
-        if not same:
-            break
-        several.append(same)
-
-    def called(file: str) -> str:
-        parts = Path(file).parts or ("",)
-        return one_line("/".join(parts[-length(parts) :]))
-
-    return called
+def _is_nobodys(report: "Report") -> bool:
+    return any(flag.code is FlagCode.UNKNOWN_STUDENT for flag in report.flags)
 
 
 def _cohort_fault(outcome: "GradingOutcome", words: Words) -> Iterator[str]:

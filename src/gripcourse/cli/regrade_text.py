@@ -1,10 +1,12 @@
 """What is printed of regrades, of what students were told, and of a student's history."""
 
-from collections.abc import Iterator, Sequence
+from collections import Counter
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from gripcourse.cli.file_names import told_apart
 from gripcourse.cli.table_layout import table_text
 from gripcourse.cli.text import misuse
 from gripcourse.text.shown import shown
@@ -68,11 +70,15 @@ def regrade_text(
 
     asked = found.to_apply if only is None else found.going(only)
     lines = []
+    called = told_apart([one.work.attempt.file for one in asked])
     if asked:
         heads = [words.say(one) for one in _HEADS]
-        rows = [_row(one, context, words) for one in asked]
+        rows = [_row(one, called, context, words) for one in asked]
         lines.append(table_text(heads, rows, right={2, 3}))
-    lines += [line for one in asked for line in _items(one, context, words)]
+    works = Counter(one.work.student for one in asked)
+    for one in asked:
+        file = called(one.work.attempt.file) if works[one.work.student] > 1 else ""
+        lines += _items(one, file, context, words)
     counts = {one: len(found.going(one)) for one in Shift}
     lines.append(
         words.say(
@@ -136,27 +142,32 @@ def history_text(events: Sequence["Event"], words: Words) -> str:
     return "\n".join(lines)
 
 
-def _row(one: "WorkChange", context: "GradingContext", words: Words) -> tuple[str, ...]:
+def _row(
+    one: "WorkChange", called: Callable[[str], str], context: "GradingContext", words: Words
+) -> tuple[str, ...]:
     from gripcourse.usecases.marks.called import student_with_id
 
     changed = ", ".join(words.say(_VERSIONS[version.value]) for version in one.versions)
     return (
         student_with_id(one.work.student, context),
-        shown(Path(one.work.attempt.file).name),
+        called(one.work.attempt.file),
         words.number(one.before.score, 4),
         words.number(one.after.score, 4),
         changed or "—",
     )
 
 
-def _items(change: "WorkChange", context: "GradingContext", words: Words) -> Iterator[str]:
+def _items(
+    change: "WorkChange", file: str, context: "GradingContext", words: Words
+) -> Iterator[str]:
+    """Yield what changed about each item; `file` tells works of one student apart."""
     from gripcourse.usecases.marks.called import item_with_id, student_with_id
 
     student = change.work.student
     for one in change.items:
         said = message(
             "{student}, {item}: {before} → {after}.",
-            student=student_with_id(student, context),
+            student=", ".join(filter(None, (student_with_id(student, context), file))),
             item=item_with_id(student, one.quantity, context, words.language),
             before=_result(one.before),
             after=_result(one.after),
@@ -184,10 +195,7 @@ def _left_out(found: "Regrading", context: "GradingContext", words: Words) -> It
             [student_with_id(one.work.student, context) for one in found.lost],
         ),
         (
-            message(
-                "The gradebook does not know these files; grade them first, and where --whose or"
-                " --pattern said whose they are, say it here as well: {names}."
-            ),
+            message("The gradebook does not know these files; grade them first: {names}."),
             [shown(Path(one).name) for one in found.strangers],
         ),
         (

@@ -46,6 +46,16 @@ def read_heads(
         yield rows.attempt_of_row(row, ()), row.results_digest or ""
 
 
+def read_files(connection: Connection) -> Iterator[tuple[str, str, str]]:
+    """Yield student, file and digest of every attempt, in the order in which they were graded."""
+    column = schema.attempts.c
+    question = select(column.student, column.file, column.digest).order_by(
+        column.graded_at, column.student, column.number
+    )
+    for row in connection.execute(question):
+        yield row.student, row.file, row.digest
+
+
 def read_results(connection: Connection, attempt: Attempt) -> tuple[Result, ...]:
     """Return the results of one attempt."""
     column = schema.results.c

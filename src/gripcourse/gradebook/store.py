@@ -22,6 +22,7 @@ from gripcourse.gradebook.numbering import new_attempts, new_marks
 from gripcourse.gradebook.reading import (
     answers,
     read_attempts,
+    read_files,
     read_heads,
     read_results,
     read_told,
@@ -232,6 +233,11 @@ class Gradebook:
         question = select(column.student).where(column.either_version.is_(True)).distinct()
         with refusals_named(self.place), self.engine.connect() as connection:
             return frozenset(connection.execute(question).scalars())
+
+    def files(self) -> tuple[tuple[str, str, str], ...]:
+        """Return student, file and digest of every attempt, in the order of their grading."""
+        with refusals_named(self.place), self.engine.connect() as connection:
+            return tuple(read_files(connection))
 
     def undone(self) -> frozenset[int]:
         """Return the numbers of the regrades that were taken back."""

@@ -11,7 +11,7 @@ from gripcourse.policy.rubric import MOST_TOGETHER, column_heading
 from gripcourse.policy.rubric_load import TABLE_COLUMNS
 from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.words import LANGUAGES, Message, Texts, message
-from gripcourse.variants.cells import exact_number
+from gripcourse.variants.cells import exact_number, is_formula, said_of_formula
 from gripcourse.variants.headings import by_ids, words_vocabulary
 from gripcourse.variants.sheet import Sheet, SheetRow, cell_place, column_name, read_sheet
 
@@ -103,11 +103,11 @@ class _Cells:
         text = self.text(column)
         value = exact_number(text, decimal_comma=True) if text else None
         if text and value is None:
-            self.add(
-                column,
+            no_number = (
                 message("'{text}' is no number.", text=text),
                 message("Write a number like 0.5 or 0,5."),
             )
+            self.add(column, *(said_of_formula() if is_formula(text) else no_number))
         return value
 
     def flag(self, column: str) -> bool:

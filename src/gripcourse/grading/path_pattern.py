@@ -29,12 +29,13 @@ class PathPattern:
     Attributes:
         written: as the instructor wrote it.
         parts: pieces of each part between strokes: signs that stand for something, and plain text.
-        ids: of the register.
+        ids: of the register, by themselves as they are and in small letters: systems of files
+            differ in whether capitals count, and no list has two ids that differ in them alone.
     """
 
     written: str
     parts: tuple[tuple[str, ...], ...]
-    ids: frozenset[str]
+    ids: Mapping[str, str]
 
     def part_of(self, file: str) -> PlatformPart | None:
         """Return whose a file is by its path; None where the path is of another form."""
@@ -70,6 +71,8 @@ class PathPattern:
             if piece in {_ID, _NAME}:
                 told[piece] = part[at:end]
             at = end
+        if _ID in told:
+            told[_ID] = self._id_of(told[_ID])
         return told
 
     def _end(self, piece: str, part: str, at: int, after: set[int]) -> int | None:
@@ -83,11 +86,16 @@ class PathPattern:
         if piece == _ID:
             return max((end for end in after if self._is_id(part, at, end)), default=None)
         end = at + len(piece)
-        return end if end in after and part.startswith(piece, at) else None
+        is_there = part[at:end].casefold() == piece.casefold()
+        return end if end in after and is_there else None
+
+    def _id_of(self, text: str) -> str:
+        """Return an id as the register has it; empty for what is none."""
+        return self.ids.get(text) or self.ids.get(text.casefold(), "")
 
     def _is_id(self, part: str, at: int, end: int) -> bool:
         """Tell whether an id stands there, wholly: s1 is not the beginning of s10."""
-        return part[at:end] in self.ids and not (end < len(part) and part[end].isalnum())
+        return bool(self._id_of(part[at:end])) and not (end < len(part) and part[end].isalnum())
 
 
 def path_pattern(written: str, ids: Iterable[str]) -> PathPattern:
@@ -110,7 +118,9 @@ def path_pattern(written: str, ids: Iterable[str]) -> PathPattern:
         raise UsageError([Problem("", "", what, remedy, parameter="pattern")])
     path = unicodedata.normalize("NFC", PurePath(written).as_posix())
     parts = tuple(tuple(_PIECE.findall(part)) for part in path.split("/"))
-    return PathPattern(written, parts, frozenset(ids))
+    known = tuple(ids)
+    small = {one.casefold(): one for one in known}
+    return PathPattern(written, parts, small | {one: one for one in known})
 
 
 def fits_none(pattern: PathPattern | None, files: Iterable[str]) -> str:

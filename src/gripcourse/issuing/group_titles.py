@@ -1,11 +1,11 @@
 """Groups that stand above the people of a list, and not beside each of them.
 
-An office writes "Группа РТК-41" into a row of its own and the people below it, or into the title of
-the whole list, or beside the first of them.
+An office writes "Группа РТК-41", or "РТК-41" alone, into a row of its own and the people below it,
+or into the title of the whole list, or beside the first of them.
 """
 
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Collection, Iterable, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cache
 from itertools import groupby, pairwise
@@ -19,6 +19,10 @@ from gripcourse.variants.sheet import Sheet, SheetRow
 _LONGEST = 30  # signs of a group in a row of its own; a longer text is a sentence
 _FEWEST = 3  # rows for each group that is written: where one has none, that may be meant
 _NAMED = 10  # rows that a note names
+# The name of a group without the word: letters and digits, РТК-41, МП-21мп, 311, 20 КМ 01.
+_CODE = re.compile(r"(?=.*\d)[^\W_]{1,8}(?:[ ./–-]{1,3}[^\W_]{1,6}){0,3}")
+_LETTER = re.compile(r"[^\W\d_]")
+_DAY = re.compile(r"\d{1,4}[./-]\d{1,2}[./-]\d{1,4}")
 
 
 @dataclass(frozen=True, slots=True)
@@ -54,16 +58,74 @@ def groups_note(lists: Iterable[GroupTitles]) -> tuple[Message, ...]:
     return tuple(one for found, one in said if found)
 
 
-def group_titles(sheet: Sheet) -> GroupTitles:
-    """Find the groups that stand above the rows of a list."""
+def group_titles(sheet: Sheet, ids: Collection[int] = ()) -> GroupTitles:
+    """Find the groups that stand above the rows of a list.
+
+    Args:
+        sheet: the list.
+        ids: places of columns that hold numbers of people or of rows: what stands there alone is
+            the name of a group only if nothing else in them looks so.
+    """
     in_titles = {one for title in sheet.titles for one in _in_sentence().findall(title)}
-    rows = {}
-    for row in sheet.rows:
-        texts = {cell for cell in row.cells if cell}
-        found = _alone().fullmatch(texts.pop()) if len(texts) == 1 else None
-        if found is not None:
-            rows[row.number] = " ".join(found["group"].split())
+    codes = _Codes.of(sheet.rows, ids)
+    named = ((row.number, codes.group_in(row)) for row in sheet.rows)
+    rows = {number: group for number, group in named if group}
     return GroupTitles(in_titles.pop() if len(in_titles) == 1 else "", rows)
+
+
+@dataclass(frozen=True, slots=True)
+class _Codes:
+    """Where in a list the name of a group may stand without the word.
+
+    Attributes:
+        last: number of the last row of a person, above which groups stand; 0 in a list whose rows
+            hold one text each.
+        numbers: places of ids and of running numbers.
+        lettered: those of them where people have letters, as groups do.
+    """
+
+    last: int
+    numbers: Collection[int]
+    lettered: Collection[int]
+
+    @classmethod
+    def of(cls, rows: Sequence[SheetRow], numbers: Collection[int]) -> "_Codes":
+        people = [row for row in rows if len(only_texts(row)) > 1]
+        lettered = {at for at in numbers for row in people if _LETTER.search(row.cells[at])}
+        return cls(people[-1].number if people and has_more(rows) else 0, numbers, lettered)
+
+    def group_in(self, row: SheetRow) -> str:
+        """Return the group that a row holds and nothing else; empty for any other row."""
+        texts = only_texts(row)
+        if len(texts) != 1:
+            return ""
+        ((place, text),) = texts.items()
+        found = _alone().fullmatch(text)
+        if found is not None:
+            return " ".join(found["group"].split())
+        is_code = _CODE.fullmatch(text) is not None and _DAY.fullmatch(text) is None
+        if not is_code or row.number >= self.last or _begins_a_sum(text):
+            return ""
+        is_number = place in self.numbers and (text.isdecimal() or place in self.lettered)
+        return "" if is_number else " ".join(text.split())
+
+
+def _begins_a_sum(text: str) -> bool:
+    return plain(text).split()[0] in declared_names("nobody")
+
+
+def only_texts(row: SheetRow) -> dict[int, str]:
+    """Return the texts of a row by the places where they first stand; a merged one stands once."""
+    found: dict[str, int] = {}
+    for place, cell in enumerate(row.cells):
+        if cell:
+            found.setdefault(cell, place)
+    return {place: text for text, place in found.items()}
+
+
+def has_more(rows: Sequence[SheetRow]) -> bool:
+    """Tell whether most rows of a list hold more than one text: what stands alone is no person."""
+    return 2 * sum(len(only_texts(row)) > 1 for row in rows) >= len(rows)
 
 
 def with_groups_below(sheet: Sheet, place: int) -> tuple[Sheet, tuple[Message, ...]]:

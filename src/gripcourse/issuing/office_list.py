@@ -5,6 +5,7 @@ from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, replace
 from typing import Final
 
+from gripcourse.issuing.group_titles import has_more, only_texts
 from gripcourse.text.shown import one_line
 from gripcourse.text.spelling import plain
 from gripcourse.text.words import Message, message
@@ -58,7 +59,7 @@ def with_somebody(
     places = {id_: one.position for id_, one in columns.items()}
     ordinal = places.get("ordinal")
     is_numbered = ordinal is not None and any(_is_number(row.cells[ordinal]) for row in sheet.rows)
-    reader = _Rows(places, vocabulary, is_numbered)
+    reader = _Rows(places, vocabulary, is_numbered, has_more(sheet.rows))
     nobody: list[SheetRow] = []
     kept: list[SheetRow] = []
     for row in sheet.rows:
@@ -194,11 +195,13 @@ class _Rows:
         places: of its columns, by id.
         vocabulary: what columns may be called.
         is_numbered: whether people have running numbers.
+        has_more: whether most rows hold more than a name.
     """
 
     places: Mapping[str, int]
     vocabulary: Vocabulary
     is_numbered: bool
+    has_more: bool
 
     def names_nobody(self, row: SheetRow) -> bool:
         """Tell whether a row is of the form, a sum, a signature or headings once more."""
@@ -218,8 +221,17 @@ class _Rows:
         # "Monitor Smith" is somebody's name, but not below people who have numbers.
         is_below = self.is_numbered and self._is_closing(name, _BLANK)
         is_without_id = is_below or not any(map(str.isalpha, name))
+        if self._is_title(row, name, own):
+            return True
         is_closing = self._is_closing(ordinal) or self._is_closing(name)
         return is_closing or (is_without_id and not own.get("student"))
+
+    def _is_title(self, row: SheetRow, name: str, own: Mapping[str, str]) -> bool:
+        """Tell whether a row is a title of those below, `Subgroup 1`: one text, and no name."""
+        if not self.has_more or len(only_texts(row)) != 1 or own.get("student"):
+            return False
+        is_word = " " not in name and ("name" in own or self.is_numbered)
+        return is_word or any(map(str.isdigit, name))
 
     def _repeats_headings(self, own: Mapping[str, str]) -> bool:
         cells = [(id_, text) for id_, text in own.items() if text]

@@ -10,6 +10,7 @@ from typing import Final
 
 from gripcourse.errors import Problem
 from gripcourse.issuing.group_titles import GroupTitles, group_titles, with_groups_below
+from gripcourse.issuing.list_columns import with_whole_names, without_doubles
 from gripcourse.issuing.office_list import (
     PARTS_OF_NAME,
     with_addresses,
@@ -25,6 +26,7 @@ from gripcourse.text.words import Message, message
 from gripcourse.variants.headings import (
     TableColumn,
     Vocabulary,
+    column_of,
     find_columns,
     roster_vocabulary,
     without_strange,
@@ -33,6 +35,8 @@ from gripcourse.variants.sheet import Sheet, read_sheets
 
 # What spreadsheet programs call a sheet that nobody has named.
 _NAMED_BY_NOBODY: Final = re.compile(r"(?:sheet|лист|аркуш)\s*\d*", re.IGNORECASE)
+
+_OF_NUMBERS: Final = frozenset({"ordinal", "student"})
 
 
 @dataclass(frozen=True, slots=True)
@@ -90,14 +94,18 @@ def lists_in(source: Readable) -> tuple[tuple[PeopleList, ...], tuple[Message, .
 
 def _understood(whole: Sheet, vocabulary: Vocabulary) -> PeopleList:
     """Find the columns and the people of a table."""
+    whole = with_whole_names(whole, vocabulary)
     named = with_names(without_strange(whole, vocabulary), vocabulary)
+    named, doubles = without_doubles(named, vocabulary)
     problems: list[Problem] = []
     columns = find_columns(named, vocabulary, problems)
     if not columns.keys() & {"name", *PARTS_OF_NAME}:
         problems.append(_without_names(whole, columns))
     if whole.title:
         problems = [replace(one, file=f"{whole.file} [{whole.title}]") for one in problems]
-    groups = GroupTitles() if "group" in columns else _groups(whole)
+    groups = _groups(whole, vocabulary)
+    if "group" in columns:
+        groups = GroupTitles(rows=groups.rows)
     rows = tuple(row for row in named.rows if row.number not in groups.rows)
     sheet, staff = without_staff(replace(named, rows=rows), columns)
     sheet, nobody = with_somebody(sheet, columns, vocabulary)
@@ -106,13 +114,18 @@ def _understood(whole: Sheet, vocabulary: Vocabulary) -> PeopleList:
     below: tuple[Message, ...] = ()
     if "group" in columns:
         sheet, below = with_groups_below(sheet, columns["group"].position)
-    left_out = (*staff, *nobody, *remarks, *no_addresses, *below)
+    left_out = (*doubles, *staff, *nobody, *remarks, *no_addresses, *below)
     return PeopleList(sheet, columns, groups, tuple(problems), left_out)
 
 
-def _groups(whole: Sheet) -> GroupTitles:
+def _groups(whole: Sheet, vocabulary: Vocabulary) -> GroupTitles:
     """Return the groups above the rows; the title of one of several sheets is one as well."""
-    groups = group_titles(whole)
+    numbers = {
+        place
+        for place, heading in enumerate(whole.header)
+        if column_of(heading, vocabulary) & _OF_NUMBERS
+    }
+    groups = group_titles(whole, numbers)
     is_named = whole.title and not _NAMED_BY_NOBODY.fullmatch(whole.title)
     is_needed = is_named and not groups.title and not groups.rows
     return replace(groups, sheet=whole.title) if is_needed else groups

@@ -19,6 +19,9 @@ from gripcourse.variants.names import find_variant
 QuantityOf: TypeAlias = Callable[[Variant, str], Quantity | None]
 """What a given quantity of a variant is declared to be, by its id; None where nobody knows it."""
 
+DeclaredOtherwise: TypeAlias = Callable[[Issued], Sequence[Texts]]
+"""Titles of the quantities that a version was issued with other declarations of than today's."""
+
 
 @dataclass(frozen=True, slots=True)
 class Correction:
@@ -43,6 +46,7 @@ def reissue(
     variants: Sequence[Variant],
     terms: Terms,
     quantity_of: QuantityOf = lambda *_: None,
+    otherwise: DeclaredOtherwise = lambda _: (),
 ) -> Extended:
     """Put a new version in the place of what students were issued; the old one stays beside it.
 
@@ -55,6 +59,7 @@ def reissue(
         variants: the table.
         terms: of the new versions; without a deadline everybody's own is kept.
         quantity_of: what quantities are, for the notes; they have their ids where nothing is said.
+        otherwise: which quantities of a version are declared otherwise today, for the notes.
 
     Returns:
         The register with the new versions, and a note for each student that says what changed.
@@ -97,7 +102,12 @@ def reissue(
         (
             *renamed,
             *map(_said_again, again),
-            *(_said(known[student], entry, quantity_of) for student, entry in fresh.items()),
+            *(
+                _with_declarations(
+                    _said(known[student], entry, quantity_of), known[student], otherwise
+                )
+                for student, entry in fresh.items()
+            ),
         ),
     )
 
@@ -242,6 +252,18 @@ def _said(before: Issued, after: Issued, quantity_of: QuantityOf) -> Message:
         version=version,
         variant=new.id,
         changes=reduce(_listed, changes),
+    )
+
+
+def _with_declarations(said: Message, before: Issued, otherwise: DeclaredOtherwise) -> Message:
+    """Say besides which quantities a version declared otherwise than today's course does."""
+    titles = [message("{title}", title=one) for one in otherwise(before)]
+    if not titles:
+        return said
+    return message(
+        "{said} Declared otherwise since: {quantities}.",
+        said=said,
+        quantities=reduce(_listed, titles),
     )
 
 

@@ -5,7 +5,6 @@ column or in three, no ids. Who has no id gets one, the same again whenever the 
 """
 
 import re
-import unicodedata
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
@@ -15,19 +14,22 @@ from gripcourse.issuing.group_titles import GroupTitles, groups_note
 from gripcourse.issuing.made_ids import NOBODY, Joined, with_ids
 from gripcourse.issuing.office_list import PARTS_OF_NAME
 from gripcourse.issuing.people_list import lists_in
+from gripcourse.issuing.written_ids import as_folder, lost_note, written_note
 from gripcourse.machine.content import Readable
 from gripcourse.machine.enclosed import LONGEST_NAME, is_file_name
-from gripcourse.text.spelling import LOST_SIGN, as_seen, plain
+from gripcourse.text.spelling import as_seen, plain
 from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.words import LANGUAGES, Message, message
+from gripcourse.variants.cells import is_formula, said_of_formula
 from gripcourse.variants.headings import TableColumn, declared_names
 from gripcourse.variants.model import Student
 from gripcourse.variants.sheet import Sheet, SheetRow, cell_place
 
 _ID = re.compile(r"[\w-][\w.-]*")
+_DAY = re.compile(r"\d{4}-\d{2}-\d{2}T")  # as the reader of spreadsheets writes one
+_NO_DAYS = frozenset({"student", "group", "variant"})
 _CYRILLIC = re.compile("[\u0400-\u04ff]")
 _CYRILLIC_HEADING = "код студента"  # of a column of ids, the same in Russian and in Ukrainian
-_NAMED = 10  # students whom a note names
 # Signs of what is printed beside a student's work: nobody's name is longer, and a word of ten
 # thousand letters takes half a minute to lay out.
 _LONGEST = {"name": 255, "group": 100, "email": 254, "variant": LONGEST_NAME}
@@ -101,21 +103,9 @@ def read_roster(
     unused = (note for one in lists for note in one.sheet.notes)
     left_out = (note for one in lists for note in one.left_out)
     groups = groups_note([one.groups for one in lists])
-    lost = _lost_note(students)
-    return Roster(students, _each_once((*unused, *of_file, *groups, *left_out, *lost, *made)))
-
-
-def _lost_note(students: Iterable[Student]) -> tuple[Message, ...]:
-    """Name whose name was damaged when the list was saved in an old code page."""
-    names = [one.name for one in students if LOST_SIGN in one.name]
-    if not names:
-        return ()
-    said = message(
-        "A letter of these names was lost when the list was saved: {names}. Save it again as"
-        " “CSV UTF-8” or .xlsx.",
-        names=", ".join(names[:_NAMED]) + (", …" if len(names) > _NAMED else ""),
-    )
-    return (said,)
+    ids = ((one.reader.cell(one.row, "student"), one.student.id) for one in read)
+    said = (*written_note(ids), *lost_note(students))
+    return Roster(students, _each_once((*unused, *of_file, *groups, *left_out, *said, *made)))
 
 
 def _each_once(notes: Iterable[Message]) -> tuple[Message, ...]:
@@ -141,15 +131,15 @@ class _Reader:
 
     def student(self, row: SheetRow) -> Student:
         """Read a row; what is wrong with it is recorded."""
+        self._check_cells(row)
         student = Student(
-            # One letter can be written as one sign or as two, and folders would differ.
-            id=unicodedata.normalize("NFC", self._cell(row, "student")),
+            id=as_folder(self.cell(row, "student")),
             name=self._name(row),
             # A letter has its headings line by line: nobody adds one by a cell of two lines.
-            group=" ".join(self._cell(row, "group").split()) or self.groups.above(row.number),
-            email=" ".join(self._cell(row, "email").split()),
+            group=" ".join(self.cell(row, "group").split()) or self.groups.above(row.number),
+            email=" ".join(self.cell(row, "email").split()),
             language=self._language(row),
-            variant=self._cell(row, "variant"),
+            variant=self.cell(row, "variant"),
         )
         if student.id:
             self._check_id(row, student.id)
@@ -163,9 +153,26 @@ class _Reader:
 
     def _name(self, row: SheetRow) -> str:
         """Return the name from its one column, or from the columns of its parts."""
-        whole = self._cell(row, "name")
-        parts = [whole] if whole else [self._cell(row, one) for one in PARTS_OF_NAME]
+        whole = self.cell(row, "name")
+        parts = [whole] if whole else [self.cell(row, one) for one in PARTS_OF_NAME]
         return " ".join(" ".join(parts).split())
+
+    def _check_cells(self, row: SheetRow) -> None:
+        """Refuse what a spreadsheet program made of what was meant: a formula, a day."""
+        for id_ in self.columns:
+            written = self.cell(row, id_)
+            if is_formula(written):
+                self.add(row, id_, *said_of_formula())
+            elif id_ in _NO_DAYS and _DAY.match(written):
+                self.add(
+                    row,
+                    id_,
+                    message("The cell holds the day {day}.", day=written[: len("2026-11-10")]),
+                    message(
+                        "A spreadsheet program made it of what was typed: set the format of the"
+                        " column to text and write it again."
+                    ),
+                )
 
     def _check_lengths(self, row: SheetRow, student: Student) -> None:
         for what, most in _LONGEST.items():
@@ -194,7 +201,7 @@ class _Reader:
             )  # fmt: skip
 
     def _language(self, row: SheetRow) -> str:
-        written = self._cell(row, "language")
+        written = self.cell(row, "language")
         if not written:
             return ""
         found = declared_names("language").get(plain(written), frozenset())
@@ -208,7 +215,8 @@ class _Reader:
         self.add(row, "language", what, did_you_mean(written, self.languages))
         return ""
 
-    def _cell(self, row: SheetRow, id_: str) -> str:
+    def cell(self, row: SheetRow, id_: str) -> str:
+        """Return what a row has in a column; empty where there is none."""
         column = self.columns.get(id_)
         return row.cells[column.position] if column is not None else ""
 

@@ -11,7 +11,7 @@ _MOST_LISTED: Final = 12
 
 def did_you_mean(name: str, known: Iterable[str]) -> Message:
     """Suggest the nearest known name, or list what is known where nothing is near."""
-    choices = sorted(known)
+    choices = sorted(filter(None, known))  # a column may have no heading
     near = get_close_matches(name, choices, n=1)
     if near:
         return message("Did you mean '{near}'?", near=near[0])

@@ -1,9 +1,10 @@
-"""One cell of a table: a number that is exactly what was written, or none."""
+"""One cell of a table: a number that is exactly what was written, or none; or a formula alone."""
 
 import re
 
 from gripcourse.text.number_text import is_lost
 from gripcourse.text.units import factor
+from gripcourse.text.words import Message, message
 
 _NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?")
 _INVISIBLE = str.maketrans({" ": None, "\u00a0": None, "\u202f": None, "\u2009": None, "−": "-"})
@@ -27,6 +28,19 @@ def exact_number(text: str, *, decimal_comma: bool) -> float | None:
         return None
     value = float(plain)
     return value if abs(value) < float("inf") and not is_lost(plain, value) else None
+
+
+def is_formula(text: str) -> bool:
+    """Tell whether a cell has a formula whose result the file does not hold."""
+    return text.startswith("=") and text != "="
+
+
+def said_of_formula() -> tuple[Message, Message]:
+    """Say that the result of a formula is not in the file, and the remedy."""
+    return (
+        message("The cell has a formula whose result is not stored in the file."),
+        message("Open the file in a spreadsheet program and save it again, or write the result."),
+    )
 
 
 def number_text(value: float) -> str:

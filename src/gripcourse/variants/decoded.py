@@ -12,6 +12,8 @@ from gripcourse.text.words import Message, message
 
 _ENCODINGS: Final = ("cp1251", "cp866", "koi8_u")
 """In which offices of the course's languages still save text."""
+_BEGINNING: Final = 1 << 12  # bytes
+_FEWEST_NOUGHTS: Final = 20  # letters, among which one at least is a blank, a digit or a separator
 
 
 @dataclass(frozen=True, slots=True)
@@ -38,6 +40,9 @@ def decoded(source: Readable, content: bytes) -> TextOfFile:
     if content.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)):
         _check(source, content, "utf-16")
         return TextOfFile(content, "utf-16")
+    if (unmarked := _unmarked_utf16(content)) is not None:
+        _check(source, content, unmarked)
+        return TextOfFile(content, unmarked)
     try:
         content.decode("utf-8-sig")
     except UnicodeDecodeError as fault:
@@ -54,6 +59,19 @@ def decoded(source: Readable, content: bytes) -> TextOfFile:
         encoding=encoding,
     )
     return TextOfFile(content, encoding, (note,))
+
+
+def _unmarked_utf16(content: bytes) -> str | None:
+    """Tell a text of two bytes a letter that does not say so, as programs of databases export it.
+
+    Blanks, digits and what separates cells have a nought in one of both bytes, and so in one place.
+    """
+    beginning = content[:_BEGINNING]
+    noughts = [beginning[at::2].count(0) for at in (0, 1)]
+    is_enough = 2 * _FEWEST_NOUGHTS * max(noughts) > len(beginning)
+    if len(content) % 2 or min(noughts) or not is_enough:
+        return None
+    return "utf-16-le" if noughts[1] else "utf-16-be"
 
 
 def _check(source: Readable, content: bytes, encoding: str) -> None:

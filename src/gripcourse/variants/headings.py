@@ -28,6 +28,9 @@ from gripcourse.variants.sheet import Sheet, SheetRow, column_name
 _LISTED: Final = 100  # names of columns, at most, of which it helps to be shown the first
 _REMEMBERED: Final = 4  # courses
 _WORD: Final = re.compile(r"[^\W_]+(?:'[^\W_]+)?|[№#]")
+_NOBODYS: Final = frozenset(
+    {"ordinal", "student", "variant", "role"}
+)  # columns of no person's words
 _NUMBER_SIGNS: Final = frozenset("№#")
 _WITH_UNIT = (
     re.compile(r"(?P<name>.+?)\s*\[(?P<unit>[^\[\]]*)\]"),
@@ -71,7 +74,7 @@ class Vocabulary:
 
     def is_heading(self, text: str) -> bool:
         """Tell whether a text, with or without a unit, is the name of a column."""
-        return bool(text) and bool(self.find(_split(text, self)[0]))
+        return bool(column_of(text, self))
 
     def find(self, name: str) -> frozenset[str]:
         """Return the ids that a name may mean: ids go before titles, titles before symbols.
@@ -112,7 +115,14 @@ def declared_names(table: str) -> Mapping[str, frozenset[str]]:
 def roster_vocabulary() -> Vocabulary:
     """Return what the columns of a roster may be called."""
     ids = declared_names("roster")
-    spoken = _grouped((_spoken(name), id_) for name, found in ids.items() for id_ in found)
+    pairs = [(name, id_) for name, found in ids.items() for id_ in found]
+    pairs += [
+        (f"{name} {whose}", id_)
+        for name, id_ in pairs
+        if id_ not in _NOBODYS
+        for whose in declared_names("whose")
+    ]
+    spoken = _grouped((_spoken(name), id_) for name, id_ in pairs)
     return Vocabulary(ids, {}, {}, {}, spoken)
 
 
@@ -182,6 +192,11 @@ def by_ids(sheet: Sheet, vocabulary: Vocabulary) -> tuple[Sheet, Mapping[str, st
         for name, found in zip(sheet.header, ids, strict=True)
     )
     return replace(sheet, header=header), dict(zip(header, sheet.header, strict=True))
+
+
+def column_of(heading: str, vocabulary: Vocabulary) -> frozenset[str]:
+    """Return the ids that a heading, with or without a unit, may mean."""
+    return vocabulary.find(_split(heading, vocabulary)[0]) if heading else frozenset()
 
 
 def without_strange(sheet: Sheet, vocabulary: Vocabulary) -> Sheet:

@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from typing import Final
 
 import numpy as np
 
@@ -15,7 +16,7 @@ from gripcourse.solver.family import families_of
 from gripcourse.solver.plan import Plan, plan_of
 from gripcourse.text.spelling import plain
 from gripcourse.text.words import LANGUAGES, Message, Texts, message
-from gripcourse.variants.cells import converted, exact_number
+from gripcourse.variants.cells import converted, exact_number, is_formula, said_of_formula
 from gripcourse.variants.defaults import Defaults
 from gripcourse.variants.explain import broken_option_rule, explain, with_unit
 from gripcourse.variants.feasible import Reason, judge
@@ -25,6 +26,8 @@ from gripcourse.variants.named_choices import allowed_names
 from gripcourse.variants.names import without_leading_zeros
 from gripcourse.variants.row_faults import CellFault, RowRefusal, problems_of, refusals_of
 from gripcourse.variants.sheet import Sheet, SheetRow
+
+_PERCENT: Final = "%"
 
 
 @dataclass(frozen=True, slots=True)
@@ -184,17 +187,14 @@ class RowReader:
                 message("Write a number."),
             )
             return None
-        value = exact_number(written, decimal_comma=self.sheet.decimal_comma)
-        if value is None:
-            self._add(
-                row,
-                quantity.id,
-                message("'{text}' is not a number.", text=written),
-                message("Write digits and one decimal sign; if the program made a date of it, set"
-                        " the format of the column to a number and write it again."),
-            )  # fmt: skip
-            return None
         unit = self.columns[quantity.id].unit
+        number, is_percent = _without_percent(written, quantity)
+        value = exact_number(number, decimal_comma=self.sheet.decimal_comma)
+        if value is None:
+            self._add(row, quantity.id, *_no_number(written))
+            return None
+        if is_percent:
+            unit = _PERCENT
         value = converted(value, quantity.unit if unit is None else unit, quantity.unit)
         self._check(row, quantity, value)
         return value
@@ -297,3 +297,22 @@ def _means(written: str, id_: str, title: Texts) -> bool:
     """Whether a cell names something by its id or by its title in any language."""
     names = {id_, *(title.of(language) for language in LANGUAGES)}
     return plain(written) in {plain(name) for name in names}
+
+
+def _without_percent(written: str, quantity: Quantity) -> tuple[str, bool]:
+    """Return a number without the sign behind it, which a cell of a share may show: `95 %`."""
+    is_share = written.endswith(_PERCENT) and quantity.unit in {"", _PERCENT}
+    return (written.removesuffix(_PERCENT).rstrip(), True) if is_share else (written, False)
+
+
+def _no_number(written: str) -> tuple[Message, Message]:
+    """Say that a cell holds no number, and the remedy."""
+    if is_formula(written):
+        return said_of_formula()
+    return (
+        message("'{text}' is not a number.", text=written),
+        message(
+            "Write digits and one decimal sign; if the program made a date of it, set"
+            " the format of the column to a number and write it again."
+        ),
+    )

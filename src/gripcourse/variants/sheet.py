@@ -28,9 +28,10 @@ from gripcourse.variants.decoded import TextOfFile, decoded
 from gripcourse.variants.spreadsheet import (
     UnreadableSpreadsheetError,
     read_spreadsheet,
+    said_of_hidden,
 )
 
-_DELIMITERS = ("\t", ";", ",")
+_DELIMITERS = ("\t", ";", "|", ",")
 """In the order in which they are believed: a heading like `mass, kg` may hold a comma."""
 
 _BEGINNING = 1 << 20  # characters in which the first lines are looked for
@@ -138,9 +139,7 @@ def read_sheets(source: Readable, is_heading: IsHeading) -> SheetsOfFile:
     found = _sheets_of(source)
     chosen = [one for one in found if _has_headings(_rows_of(one), is_heading)] or found[:1]
     return SheetsOfFile(
-        tuple(
-            replace(_sheet(source, _rows_of(one), is_heading), title=one.title) for one in chosen
-        ),
+        tuple(replace(_sheet_of(source, one, is_heading), title=one.title) for one in chosen),
         tuple(one.title for one in found if one not in chosen and one.rows),
     )
 
@@ -176,7 +175,7 @@ def _spreadsheet(source: Readable, is_heading: IsHeading) -> Sheet:
     sheets = _sheets_of(source)
     rows = list(map(_rows_of, sheets))
     chosen = next((at for at, one in enumerate(rows) if _has_headings(one, is_heading)), 0)
-    sheet = _sheet(source, rows[chosen], is_heading)
+    sheet = _sheet_of(source, sheets[chosen], is_heading)
     others = [one.title for at, one in enumerate(sheets) if at != chosen and one.rows]
     if not others:
         return sheet
@@ -186,7 +185,16 @@ def _spreadsheet(source: Readable, is_heading: IsHeading) -> Sheet:
         sheet=sheets[chosen].title,
         others=", ".join(others),
     )
-    return replace(sheet, notes=(note,))
+    return replace(sheet, notes=(*sheet.notes, note))
+
+
+def _sheet_of(source: Readable, one: TableSheet, is_heading: IsHeading) -> Sheet:
+    """Find the headings of a sheet; a note names hidden rows, which count as all others do."""
+    sheet = _sheet(source, _rows_of(one), is_heading)
+    hidden = [number for number in one.hidden if number > sheet.heading_row]
+    if not hidden:
+        return sheet
+    return replace(sheet, notes=(*sheet.notes, said_of_hidden(sheet.file, one.title, hidden)))
 
 
 def _rows_of(sheet: TableSheet) -> list[SheetRow]:

@@ -20,8 +20,10 @@ from gripcourse.machine.table_bounds import (
     content_of_table,
     said_of_too_large_workbook,
 )
+from gripcourse.text.shown import first_of
 from gripcourse.text.words import Message, message
 
+_NAMED: Final = 10  # rows that a note names
 _SECONDS: Final = 60.0  # by the clock
 _ENDINGS: Final = {WhyRefused.OLD_FORMAT: ".xls", WhyRefused.OPEN_DOCUMENT: ".ods"}
 _SAVE_AGAIN: Final = message("Open it in a spreadsheet program and save it again as .xlsx.")
@@ -87,6 +89,17 @@ def read_spreadsheet(source: Readable) -> Sequence[TableSheet]:
     if isinstance(sheets, WhyRefused):
         raise UnreadableSpreadsheetError(*_REFUSED.get(sheets, _UNKNOWN))
     return sheets
+
+
+def said_of_hidden(file: str, title: str, rows: Sequence[int]) -> Message:
+    """Say which rows of a sheet were read though no program shows them."""
+    return message(
+        "{file}: rows that are hidden in the sheet '{sheet}' were read like all others: {rows}."
+        " Delete those that are not meant.",
+        file=file,
+        sheet=title,
+        rows=first_of(list(map(str, rows)), _NAMED),
+    )
 
 
 def _read_apart(content: bytes) -> tuple[TableSheet, ...] | WhyRefused | Lost:

@@ -1,5 +1,6 @@
 """Works on a corrected version are judged by the formulas that it was issued with."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from datetime import date
 from pathlib import Path
@@ -16,6 +17,7 @@ from gripcourse.issuing.store import read_register
 from gripcourse.policy.model import Policy
 from gripcourse.simulation.write import fill
 from gripcourse.solver.plan import plan_of
+from gripcourse.text.words import Message
 from gripcourse.usecases.issuing.reissue import CorrectedOrder, reissue_order
 from gripcourse.usecases.marks.opening import open_grading
 from support.classroom import Classroom, open_classroom
@@ -30,6 +32,7 @@ class Mended:
 
     classroom: Classroom
     work: Path
+    notes: Sequence[Message]
 
     def judged(self, *, either: bool | None = None) -> Report:
         context = open_grading(self.classroom.course.root)
@@ -59,8 +62,8 @@ def mended(tmp_path_factory: pytest.TempPathFactory, policy: Policy) -> Mended:
             wanted, classroom.order.table, folder / "corrected", date(2026, 10, 5), None
         )
         course = load_course(classroom.course.root)
-        reissue_order(course, policy, order, 0, lambda _: None)
-    return Mended(classroom, work)
+        issuing = reissue_order(course, policy, order, 0, lambda _: None)
+    return Mended(classroom, work, issuing.notes)
 
 
 def test_a_work_is_judged_by_the_declarations_that_its_version_was_issued_with(
@@ -73,6 +76,12 @@ def test_a_work_is_judged_by_the_declarations_that_its_version_was_issued_with(
     assert report.declarations == first.declarations
     assert "that this version was issued with" in " ".join(map(str, report.remarks))
     assert [path.stem for path in mended.kept].count(first.declarations) == 1
+
+
+def test_what_is_declared_otherwise_since_is_named(mended: Mended) -> None:
+    gravity = mended.classroom.course.constants["gravity"].title.of("en")
+    (said,) = map(str, mended.notes)
+    assert said.endswith(f"with the same numbers. Declared otherwise since: {gravity}.")
 
 
 def test_where_either_version_counts_each_is_judged_by_its_own(mended: Mended) -> None:

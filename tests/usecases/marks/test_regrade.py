@@ -322,7 +322,9 @@ def test_works_are_graded_again_by_the_order_of_folders_that_told_whose_they_are
     place, wish = str(tmp_path / "gradebook.sqlite"), BatchWish(pattern="{name}/*")
     context = by_word(wish, [bare], issued.context)
     keep([Graded(grade_file(bare, context), "")], context, place, NOW)
-    again = as_decided(issued.context, [bare], place, wish)
-    assert regrade([bare], again, place, 0, NOW).strangers == ()
-    without = as_decided(issued.context, [bare], place, BatchWish())
-    assert regrade([bare], without, place, 0, NOW).strangers == (str(bare),)
+    for said in (wish, BatchWish()):  # what was said once is known from the gradebook
+        again = as_decided(issued.context, [bare], place, said)
+        assert regrade([bare], again, place, 0, NOW).strangers == ()
+    elsewhere = bare.rename(tmp_path / "ответы.xlsx")
+    without = as_decided(issued.context, [elsewhere], place, BatchWish())
+    assert regrade([elsewhere], without, place, 0, NOW).strangers == (str(elsewhere),)

@@ -20,6 +20,7 @@ ShownText: TypeAlias = Callable[[str, str | None, int, str], str]
 """Tells what a cell shows by its kind, what is stored, its style and its formula."""
 
 _DATA, _ROW, _CELL, _IN_CELL = 2, 3, 4, 5  # how deep they stand in a sheet
+_TRUE: Final = frozenset({"1", "true"})
 _ITEM: Final = 2  # how deep in the table of shared texts
 _DIGITS: Final = "0123456789"
 _FOR_SOME: Final = "AlternateContent"
@@ -34,10 +35,12 @@ class LongSheet:
         rows: by number, in the order of the file; of each what its cells show, as far as the last
             one that shows anything, or None where none does.
         merged: its merged ranges.
+        hidden: numbers of rows that are hidden and hold anything.
     """
 
     rows: Mapping[int, list[str] | None]
     merged: tuple[Merged, ...]
+    hidden: tuple[int, ...] = ()
 
 
 def read_long_sheet(
@@ -59,7 +62,8 @@ def read_long_sheet(
     reader = _SheetReader(scan, shown, room)
     handlers = Handlers(reader.enter, reader.leave, reader.written.append)
     go_through(content, scan, reader.names, handlers)
-    return LongSheet(reader.rows, tuple(reader.merged))
+    hidden = tuple(number for number in sorted(reader.hidden) if reader.rows[number])
+    return LongSheet(reader.rows, tuple(reader.merged), hidden)
 
 
 def read_long_texts(content: bytes, scan: XmlScan) -> list[str]:
@@ -76,7 +80,7 @@ class _SheetReader:
     __slots__ = (
         *("_column", "_columns", "_depth", "_formula", "_is_cell", "_is_data", "_is_row"),
         *("_item", "_kind", "_known", "_number", "_part", "_room", "_row", "_scan", "_shown"),
-        *("_style", "_styles", "_value", "merged", "names", "rows", "written"),
+        *("_style", "_styles", "_value", "hidden", "merged", "names", "rows", "written"),
     )
 
     def __init__(self, scan: XmlScan, shown: ShownText, room: RoomForCells) -> None:
@@ -85,6 +89,7 @@ class _SheetReader:
         self._known = self.names.known
         self.rows: dict[int, list[str] | None] = {}
         self.merged: list[Merged] = []
+        self.hidden: set[int] = set()
         self.written: list[str] = []
         self._columns: dict[str, int] = {}  # by their letters
         self._styles: dict[str, int] = {}
@@ -165,6 +170,8 @@ class _SheetReader:
             self._number = whole_number(attributes.get("r")) or self._number + 1
             self._column, self._is_row = 0, True
             self._row = self.rows.setdefault(self._number, None)
+            if attributes.get("hidden") in _TRUE:
+                self.hidden.add(self._number)
         elif self._depth == _DATA and name == "sheetData":
             self._is_data = True
         elif name == "mergeCell" and (found := merged_range(attributes.get("ref", ""))):

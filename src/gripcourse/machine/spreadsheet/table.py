@@ -36,6 +36,7 @@ from gripcourse.machine.table_bounds import RoomForCells, TooLargeTableError, wi
 
 # Digits of a number that are kept by whatever holds it.
 _SIMPLE: Final = re.compile(r"-?\d{1,15}(?:\.\d{1,20})?(?:[eE][+-]?\d{1,2})?", re.ASCII)
+_NOUGHTS: Final = re.compile("0+")
 
 
 TableRow: TypeAlias = tuple[int, tuple[str, ...]]
@@ -53,10 +54,12 @@ class TableSheet:
     Attributes:
         title: of the sheet.
         rows: without blank ones.
+        hidden: numbers of those that no program shows, as a filter leaves them out.
     """
 
     title: str
     rows: tuple[TableRow, ...]
+    hidden: tuple[int, ...] = ()
 
 
 def visible_sheets(data: bytes) -> tuple[TableSheet, ...] | WhyRefused:
@@ -101,10 +104,10 @@ def _sheets(package: Package) -> tuple[TableSheet, ...]:
     room = RoomForCells()
     # Two titles may lead to one part, which is read once.
     once = {sheets[title]: title for title in reversed(titles)}
-    found = [
-        TableSheet(title, _rows(_long_sheet(package, part, shown, room), room))
-        for part, title in reversed(once.items())
+    read = [
+        (title, _long_sheet(package, part, shown, room)) for part, title in reversed(once.items())
     ]
+    found = [TableSheet(title, _rows(sheet, room), sheet.hidden) for title, sheet in read]
     if not found:
         raise UnreadableContentError
     return tuple(one for one in found if one.rows) or (found[0],)
@@ -142,10 +145,19 @@ def _shown_by(texts: Sequence[str], formats: NumberFormats, *, from_1904: bool) 
     def shown_in_full(cell: StoredCell) -> str:
         if cell.kind == "n" and formats.is_lost(cell):
             raise UnreadableContentError  # half a point may have been half of all of them
-        value = shown_value(cell, formats.of(cell), by_number, from_1904=from_1904).value
-        return _cell_text(without_crossed_out(value) if isinstance(value, str) else value)
+        number_format = formats.of(cell)
+        value = shown_value(cell, number_format, by_number, from_1904=from_1904).value
+        return _as_shown(value, number_format)
 
     return shown
+
+
+def _as_shown(value: CellValue, number_format: str) -> str:
+    """Return the text of a value; an id may owe its first noughts to a format such as `00000`."""
+    if isinstance(value, str):
+        return _cell_text(without_crossed_out(value))
+    is_id = isinstance(value, int) and value >= 0 and _NOUGHTS.fullmatch(number_format)
+    return _cell_text(value).zfill(len(number_format)) if is_id else _cell_text(value)
 
 
 def _rows(sheet: LongSheet, room: RoomForCells) -> tuple[TableRow, ...]:

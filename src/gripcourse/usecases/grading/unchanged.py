@@ -171,4 +171,5 @@ def open_earlier(
         if old not in {results, folder / _PRINTED}:
             shutil.rmtree(old, ignore_errors=True)
     made_with = digest_of_texts([versions, repr(day)])
-    return Earlier(KeptReports(results, context.whose), PrintedBefore(folder / _PRINTED, made_with))
+    reports = KeptReports(results, context.whose, context.answered)
+    return Earlier(reports, PrintedBefore(folder / _PRINTED, made_with))

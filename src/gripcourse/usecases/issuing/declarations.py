@@ -9,17 +9,21 @@ their own fingerprint: what has another one is not used.
 import io
 import tempfile
 import zipfile
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
+from functools import cache, partial
 from pathlib import Path
 from typing import Final
 
 from gripcourse.course.digest import RUBRICS
 from gripcourse.course.load import load_course
 from gripcourse.course.model import Course
+from gripcourse.course.quantity import Quantity
 from gripcourse.errors import CourseError
 from gripcourse.gradebook.fingerprint import declaring_files, fingerprints
 from gripcourse.machine.files import make_private_folder, write_bytes
+from gripcourse.solver.plan import plan_of
+from gripcourse.text.words import Texts
 from gripcourse.variants.model import Issued
 
 FOLDER: Final = "declarations"
@@ -64,6 +68,33 @@ def kept_declarations(
     """
     found = {name: _loaded(root, name) for name in sorted(set(_superseded(last, earlier)))}
     return {name: course for name, course in found.items() if course is not None}
+
+
+def declared_otherwise(course: Course) -> Callable[[Issued], Sequence[Texts]]:
+    """Return what tells the titles of quantities that a version was issued with other formulas of.
+
+    There are none where the declarations of that day are today's, or were not kept.
+
+    Args:
+        course: as it is today.
+    """
+    loaded = cache(partial(_loaded, course.root))
+
+    def titles(issued: Issued) -> Sequence[Texts]:
+        before = loaded(issued.declarations) if issued.declarations else None
+        if before is None:
+            return ()
+        composition = issued.variant.composition
+        old, new = (plan_of(one, composition).quantities for one in (before, course))
+        changed = (one for id_, one in new.items() if _declared(old.get(id_)) != _declared(one))
+        return [one.title for one in changed]
+
+    return titles
+
+
+def _declared(quantity: Quantity | None) -> Quantity | None:
+    """Return a declaration wherever it was read from."""
+    return None if quantity is None else replace(quantity, file="")
 
 
 def _superseded(last: Mapping[str, Issued], earlier: Iterable[Issued]) -> Iterator[str]:

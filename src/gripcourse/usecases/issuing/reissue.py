@@ -21,7 +21,7 @@ from gripcourse.machine.files import make_private_folder
 from gripcourse.policy.model import Policy
 from gripcourse.solver.plan import plan_of
 from gripcourse.text.words import message
-from gripcourse.usecases.issuing.declarations import keep_declarations
+from gripcourse.usecases.issuing.declarations import declared_otherwise, keep_declarations
 from gripcourse.usecases.issuing.handout import IssuingContext, issue_one
 from gripcourse.usecases.issuing.issue import (
     IssueOne,
@@ -95,8 +95,17 @@ def reissue_order(  # noqa: PLR0913 (the last two have usual values)
     terms = Terms(key, order.today, order.deadline, fingerprints(course.root).course)
     variants = read_table(order.table, course)
 
+    otherwise = declared_otherwise(course)
+
     def change(register: Register) -> Extended:
-        return reissue(register, order.correction, variants, terms, partial(_quantity, course))
+        return reissue(
+            register,
+            order.correction,
+            variants,
+            terms,
+            partial(_quantity, course),
+            otherwise,
+        )
 
     _refuse_infeasible(course, _fresh(change(before).register, order))
     # Before anything is kept: a folder that cannot be written must not cost a version.

@@ -21,6 +21,7 @@ from gripcourse.policy.model import Policy
 from gripcourse.policy.time_rules import zone_of
 from gripcourse.text.words import message
 from gripcourse.usecases.issuing.declarations import kept_declarations
+from gripcourse.usecases.marks.answered import with_answers
 from gripcourse.usecases.marks.batch_wish import BatchWish
 from gripcourse.usecases.marks.gradebook import check_gradebook, with_kept_versions
 from gripcourse.usecases.marks.handed_in import HandingTime, handed_in_times
@@ -110,7 +111,7 @@ def as_wished(
     times = handed_in_times(wish.handed_in, files, zone_of(late))
     if place is not None:
         check_gradebook(place)
-        context = with_kept_versions(context, place)
+        context = with_answers(with_kept_versions(context, place), place, files)
         # Read again where they are needed. A row for nobody would make somebody late, silently.
         entries = context.register.values()
         people = [person for one in entries for person in (one.student, *one.joined)]

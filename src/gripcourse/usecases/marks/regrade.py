@@ -35,6 +35,7 @@ from gripcourse.issuing.withdrawal import Join, persons_of
 from gripcourse.machine.content import Readable
 from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.words import Message, message
+from gripcourse.usecases.marks.answered import with_answers
 from gripcourse.usecases.marks.batch_wish import BatchWish
 from gripcourse.usecases.marks.gradebook import with_kept_versions
 from gripcourse.usecases.marks.mark import existing_gradebook
@@ -96,7 +97,7 @@ def as_decided(
     """
     decided = by_word(wish, files, context)
     existing_gradebook(place)
-    return with_kept_versions(decided, place)
+    return with_answers(with_kept_versions(decided, place), place, files)
 
 
 def regrade(  # noqa: PLR0913 (the last ones are what everybody leaves as they are)
