@@ -207,10 +207,11 @@ def atlas(
 
 @app.command(cls=SpokenCommand)
 def schema(*, out: OutOption = Path("schema")) -> None:
-    """Write the keys of all files of a course: JSON Schema for editors, and a page to read."""
+    """Write the keys of a course's files and of results: JSON Schema, and a page to read."""
+    from gripcourse.api.schema import write_result_schemas
     from gripcourse.usecases.authoring.schema import write_schemas
 
-    for path in write_schemas(out):
+    for path in (*write_schemas(out), *write_result_schemas(out / "results")):
         typer.echo(str(path))
 
 
