@@ -7,6 +7,7 @@ two of these disagree, nobody's grade is written. A number counts with the name 
 folder bears the number of the team, which may be that of a stranger among the people.
 """
 
+from collections import defaultdict
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from types import MappingProxyType
@@ -54,11 +55,11 @@ def match(
         UsageError: two rows are of one person, or two works belong to one row.
     """
     problems = list(_doubled(rows, file))
-    named = _Named.of(works, rows, people)
+    table = _Table.of(works, rows, people)
     found: dict[int, list[GradedWork]] = {}
     notes, by_part = [], list[tuple[PlatformRow, GradedWork]]()
     for work in works:
-        surest = [_by_number(work, rows), _by_key(work, rows)]
+        surest = [table.by_number(work), table.by_key(work)]
         lines = {row.line for group in surest for row in group}
         if len(lines) == 1:
             found.setdefault(lines.pop(), []).append(work)
@@ -66,11 +67,11 @@ def match(
             notes.append(_disputed(work, lines))
         elif lines:
             problems.append(_two_rows(file, work, lines))
-        elif isinstance(by_name := named.row_of(work), Message):
+        elif isinstance(by_name := table.by_name(work), Message):
             notes.append(by_name)
         else:
             found.setdefault(by_name.line, []).append(work)
-            if named.rows.same(work.report.name) != [by_name.line]:
+            if table.names.same(work.report.name) != [by_name.line]:
                 by_part.append((by_name, work))
     problems += [_two_works(file, line, of) for line, of in found.items() if len(of) > 1]
     if problems:
@@ -81,37 +82,65 @@ def match(
 
 
 @dataclass(frozen=True, slots=True)
-class _Named:
-    """The names of a table and of the register.
+class _Table:
+    """The rows of a table, ready to be found.
 
     Attributes:
-        lines: the rows by their number.
-        rows: their names.
-        people: of everybody, by id.
+        lines: the rows by their line.
+        numbers: by the platform's own number.
+        keys: by each id and address.
+        names: of the rows, by their line.
+        people: the names of everybody, by id.
     """
 
     lines: Mapping[int, PlatformRow]
-    rows: Names[int]
+    numbers: Mapping[str, Sequence[PlatformRow]]
+    keys: Mapping[str, Sequence[PlatformRow]]
+    names: Names[int]
     people: Names[str]
 
     @classmethod
     def of(
-        cls, works: Iterable[GradedWork], rows: Iterable[PlatformRow], people: Mapping[str, str]
-    ) -> "_Named":
-        """Make them ready to be found."""
-        lines = {row.line: row for row in rows}
+        cls, works: Iterable[GradedWork], rows: Sequence[PlatformRow], people: Mapping[str, str]
+    ) -> "_Table":
+        """Make rows ready to be found; the works tell the names of who handed in."""
+        numbers = defaultdict[str, list[PlatformRow]](list)
+        keys = defaultdict[str, list[PlatformRow]](list)
+        for row in rows:
+            numbers[row.number].append(row)
+            for key in row.keys:
+                keys[_key(key)].append(row)
         handed_in = {one.report.student: one.report.name for one in works}
         return cls(
-            lines,
-            names_by_words({line: row.name for line, row in lines.items()}),
+            {row.line: row for row in rows},
+            numbers,
+            keys,
+            names_by_words({row.line: row.name for row in rows}),
             names_by_words({**people, **handed_in}),
         )
 
-    def row_of(self, work: GradedWork) -> PlatformRow | Message:
+    def by_number(self, work: GradedWork) -> list[PlatformRow]:
+        """Return the rows with the number in the path of a work."""
+        part = work.part
+        if part is None or not part.identifier:
+            return []
+        found = self.numbers.get(part.identifier, ())
+        return [row for row in found if _is_of_person(part, work, row)]
+
+    def by_key(self, work: GradedWork) -> list[PlatformRow]:
+        """Return the rows with the id or the address of whose work it is."""
+        own = {work.report.student, work.email} - {""}
+        # Who has two accounts there, too, gets the grade by the one whose id is kept.
+        return self._with_any(own) or self._with_any(work.other_keys)
+
+    def _with_any(self, keys: Iterable[str]) -> list[PlatformRow]:
+        return [row for key in keys for row in self.keys.get(_key(key), ())]
+
+    def by_name(self, work: GradedWork) -> PlatformRow | Message:
         """Return the only row that a name can be that of, or say why there is none."""
         name, own = work.report.name, {work.report.student, *work.other_keys}
-        whole = self.rows.same(name)
-        lines = whole or self.rows.fitting(name)
+        whole = self.names.same(name)
+        lines = whole or self.names.fitting(name)
         if not lines:
             return _absent(work)
         if len(lines) > 1:
@@ -137,22 +166,8 @@ def _is_of_person(part: PlatformPart, work: GradedWork, row: PlatformRow) -> boo
     return part.stands_for(row.name, work.report.name)
 
 
-def _by_number(work: GradedWork, rows: Iterable[PlatformRow]) -> list[PlatformRow]:
-    part = work.part
-    if part is None or not part.identifier:
-        return []
-    return [row for row in rows if row.number == part.identifier and _is_of_person(part, work, row)]
-
-
-def _by_key(work: GradedWork, rows: Iterable[PlatformRow]) -> list[PlatformRow]:
-    own = {work.report.student, work.email} - {""}
-    # Who has two accounts there, too, gets the grade by the one whose id is kept.
-    return _with_any(own, rows) or _with_any(work.other_keys, rows)
-
-
-def _with_any(keys: Iterable[str], rows: Iterable[PlatformRow]) -> list[PlatformRow]:
-    wanted = {key.casefold() for key in keys}
-    return [row for row in rows if wanted & {key.strip().casefold() for key in row.keys}]
+def _key(text: str) -> str:
+    return text.strip().casefold()
 
 
 def _doubled(rows: Iterable[PlatformRow], file: str) -> Iterator[Problem]:
