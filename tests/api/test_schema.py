@@ -4,12 +4,13 @@ import json
 from collections.abc import Iterator
 from dataclasses import fields, replace
 from datetime import UTC, datetime
+from pathlib import Path
 from typing import Any
 
 import pytest
 
 import gripcourse as gc
-from gripcourse.api.schema import KINDS
+from gripcourse.api.schema import KINDS, write_result_schemas
 from gripcourse.errors import UsageError
 from gripcourse.exports.plain import json_schema
 from gripcourse.exports.report_result import (
@@ -169,3 +170,10 @@ def test_every_form_has_its_json_schema(kind: type[Any]) -> None:
 
 def test_versions_are_unique() -> None:
     assert len(gc.schemas()) == len(KINDS)
+
+
+def test_the_schemas_of_results_can_be_had_as_files(tmp_path: Path) -> None:
+    written = write_result_schemas(tmp_path / "results")
+    assert len(written) == len(KINDS)
+    of_grades = json.loads((tmp_path / "results" / "grades.schema.json").read_text("utf-8"))
+    assert of_grades == gc.schemas()["gripcourse/grades/1"]

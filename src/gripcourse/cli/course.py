@@ -19,10 +19,11 @@ from gripcourse.cli.options import (
     SchemeOption,
     course_folder,
     document_language,
+    main_table,
     words_for,
 )
 from gripcourse.errors import GripcourseError
-from gripcourse.text.words import LANGUAGES, Words, message
+from gripcourse.text.words import LANGUAGES, Message, Words, message
 
 # Every command imports what it needs itself, as in `cli`.
 # ruff: noqa: PLC0415
@@ -136,6 +137,20 @@ def init(
     else:
         init_course(folder, secrets.token_bytes(32), words, source, with_templates=templates)
     confirm(words.say(message("The course is in {folder}.", folder=str(folder))))
+    if source is not None and main_table(folder).is_file():
+        confirm(words.say(_drawn_for_others(folder, source)))
+
+
+def _drawn_for_others(folder: Path, source: Path) -> Message:
+    """Say that a copied table holds what the students of another term may know."""
+    return message(
+        "Its variants are those of {source}. Draw others before you issue them: gripcourse variants"
+        " draw --course {folder} --count 30 --seed 1 --out {table} --apart-from {other}",
+        source=str(source),
+        folder=str(folder),
+        table=str(main_table(folder)),
+        other=str(main_table(source)),
+    )
 
 
 @app.command(cls=SpokenCommand)
@@ -207,10 +222,11 @@ def atlas(
 
 @app.command(cls=SpokenCommand)
 def schema(*, out: OutOption = Path("schema")) -> None:
-    """Write the keys of all files of a course: JSON Schema for editors, and a page to read."""
+    """Write the keys of a course's files and of results: JSON Schema, and a page to read."""
+    from gripcourse.api.schema import write_result_schemas
     from gripcourse.usecases.authoring.schema import write_schemas
 
-    for path in write_schemas(out):
+    for path in (*write_schemas(out), *write_result_schemas(out / "results")):
         typer.echo(str(path))
 
 

@@ -78,6 +78,16 @@ def test_a_drawn_table_is_said_and_can_be_solved(gripcourse: Command, tmp_path: 
 
 
 @pytest.mark.usefixtures("few_slips_counted")
+def test_a_course_for_another_term_says_how_its_variants_are_kept_apart(
+    gripcourse: Command, course: Path, tmp_path: Path
+) -> None:
+    run = gripcourse("init", tmp_path / "next", "--from", course)
+    last_year = course / "variants" / "tables" / "main.csv"
+    assert run.code == 0
+    assert f"--apart-from {last_year}" in run.out
+    assert not (tmp_path / "next" / "variants" / "roster.csv").exists()
+
+
 def test_an_audit_says_with_its_exit_code_whether_somebody_must_look(
     gripcourse: Command, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

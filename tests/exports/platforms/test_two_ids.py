@@ -3,7 +3,8 @@
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
-from gripcourse.exports.platforms.works import PlatformRow, match, works_of
+from gripcourse.exports.platforms.matching import match
+from gripcourse.exports.platforms.works import PlatformRow, works_of
 from gripcourse.variants.model import Student
 
 if TYPE_CHECKING:

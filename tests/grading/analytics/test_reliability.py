@@ -63,3 +63,23 @@ def test_works_of_other_schemes_are_compared_by_sections_alone() -> None:
     assert list(table["count"]) == [2, 4, 4]
     assert table["alpha_with"].notna().all()
     assert table["alpha_without"].isna().all()
+
+
+def test_works_that_are_all_right_do_not_differ_by_what_their_variants_ask() -> None:
+    """A variant with more drawings to mark by hand has fewer points to be had so far."""
+    rows = [
+        (work, "a", str(work), section, section, weight, 1.0, 1.0)
+        for work in range(9)
+        for section, weight in (("one", 10.0 + work % 3), ("two", 20.0 - work % 2))
+    ]
+    columns = ["work", "scheme", "variant", "section", "quantity", "weight", "with", "without"]
+    table = reliability_table(pd.DataFrame(rows, columns=columns))
+    assert list(table["works"]) == [9, 9]
+    assert table["alpha_with"].isna().all()
+
+
+def test_a_batch_without_a_judged_work_has_no_reliability() -> None:
+    columns = ["work", "scheme", "variant", "section", "quantity", "weight", "with", "without"]
+    table = reliability_table(pd.DataFrame([], columns=columns))
+    assert list(table["works"]) == [0]
+    assert table["alpha_with"].isna().all()

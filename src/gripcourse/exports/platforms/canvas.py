@@ -8,14 +8,16 @@ import csv
 import io
 import math
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from types import MappingProxyType
 from typing import Final
 
 from gripcourse.errors import Problem, UsageError
 from gripcourse.exports.csv_text import text_cell
+from gripcourse.exports.platforms.matching import match
 from gripcourse.exports.platforms.raw_table import RawTable, read_raw_table
-from gripcourse.exports.platforms.works import GradedWork, PlatformRow, match
+from gripcourse.exports.platforms.works import GradedWork, PlatformRow
 from gripcourse.machine.content import Readable
 from gripcourse.text.words import Message, message
 
@@ -45,7 +47,10 @@ class FilledGradebook:
 
 
 def fill_gradebook(
-    source: Readable, works: Sequence[GradedWork], assignment: str
+    source: Readable,
+    works: Sequence[GradedWork],
+    assignment: str,
+    people: Mapping[str, str] = MappingProxyType({}),
 ) -> FilledGradebook:
     """Make the table that Canvas imports.
 
@@ -53,6 +58,7 @@ def fill_gradebook(
         source: the gradebook as Canvas exported it.
         works: that count.
         assignment: title or number of the assignment; empty where there is only one.
+        people: the name of everybody in the register, by id.
 
     Raises:
         UsageError: the table is none of Canvas', or it is not clear which assignment is meant.
@@ -62,8 +68,8 @@ def fill_gradebook(
     kept = _kept_columns(table)
     column = _assignment_column(table, kept[-1], assignment)
     places = {cell.strip(): place for place, cell in enumerate(table.header)}
-    people = tuple(_people(table, places))
-    matching = match(works, [row for _, row in people], table.file)
+    listed = tuple(_people(table, places))
+    matching = match(works, [row for _, row in listed], table.file, people)
     possible = _possible(table, column)
     about = tuple(_locked(table, column)) or tuple(_without_points(table, column, possible))
     notes = [*about, *matching.notes]
@@ -71,7 +77,7 @@ def fill_gradebook(
     filled = 0
     for place, cells in enumerate(table.rows):
         is_header = place == 0 or (cells and _POSSIBLE in cells[0])
-        row = next((row for at, row in people if at == place), None)
+        row = next((row for at, row in listed if at == place), None)
         if not is_header and row is None:
             continue
         cell = cells[column]

@@ -12,8 +12,9 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Final
 
+from gripcourse.exports.platforms.matching import is_of_team
 from gripcourse.exports.platforms.moodle_worksheet import FilledWorksheet
-from gripcourse.exports.platforms.works import GradedWork, PlatformRow, is_of_team
+from gripcourse.exports.platforms.works import GradedWork, PlatformRow
 from gripcourse.text.words import Message, Words, message
 
 # What Moodle takes out of names.

@@ -10,9 +10,11 @@ the row: it is written so that it can.
 import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from types import MappingProxyType
 from typing import Final
 
 from gripcourse.errors import Problem, UsageError
+from gripcourse.exports.platforms.matching import Matching, match
 from gripcourse.exports.platforms.moodle_grade import grade_of, is_other_grade
 from gripcourse.exports.platforms.moodle_words import (
     HEADINGS,
@@ -22,7 +24,7 @@ from gripcourse.exports.platforms.moodle_words import (
     MoodleColumn,
 )
 from gripcourse.exports.platforms.raw_table import RawTable, read_raw_table
-from gripcourse.exports.platforms.works import GradedWork, Matching, PlatformRow, match
+from gripcourse.exports.platforms.works import GradedWork, PlatformRow
 from gripcourse.machine.content import Readable
 from gripcourse.text.words import Message, message
 
@@ -137,7 +139,10 @@ def handed_in_moments(worksheet: Worksheet) -> dict[str, tuple[str, str]]:
 
 
 def fill_worksheet(
-    worksheet: Worksheet, works: Sequence[GradedWork], comment: Callable[[GradedWork], str]
+    worksheet: Worksheet,
+    works: Sequence[GradedWork],
+    comment: Callable[[GradedWork], str],
+    people: Mapping[str, str] = MappingProxyType({}),
 ) -> FilledWorksheet:
     """Fill the grades of works into a worksheet.
 
@@ -145,12 +150,13 @@ def fill_worksheet(
         worksheet: as it was exported.
         works: that count.
         comment: makes the HTML of a comment.
+        people: the name of everybody in the register, by id.
 
     Raises:
         UsageError: rows that Moodle could not tell apart, or a scale instead of points.
     """
     rows = tuple(worksheet.rows())
-    matching = match(works, [row for _, _, row in rows], worksheet.table.file)
+    matching = match(works, [row for _, _, row in rows], worksheet.table.file, people)
     changed: dict[int, tuple[str, ...]] = {}
     nameless = _without_names(worksheet, matching)
     notes = [*_without_maximum(worksheet, matching), *nameless, *matching.notes]

@@ -1,21 +1,13 @@
-"""The graded works of a batch, and which row of a platform's table is whose.
+"""The graded works of a batch, and the rows of a platform's table, as they are compared."""
 
-Platforms number people by themselves, and names are not unique: a row is a student's where the
-platform's own number in the path of the work says so, else the id or the address, else a name that
-occurs only once on both sides. Where two of these disagree, nobody's grade is written. A number
-counts with the name beside it: a team's folder bears the number of the team, which may be that of a
-stranger among the people.
-"""
-
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import PurePath
 from types import MappingProxyType
 from typing import Final
 
-from gripcourse.errors import Problem, UsageError
 from gripcourse.exports.report_result import GradesResult, ReportResult
-from gripcourse.grading.platforms import PlatformPart, platform_part, words_of
+from gripcourse.grading.platforms import PlatformPart, platform_part
 from gripcourse.text.words import Message, message
 from gripcourse.variants.model import Student
 
@@ -76,19 +68,6 @@ class PlatformRow:
     name: str
 
 
-@dataclass(frozen=True, slots=True)
-class Matching:
-    """Which row is whose.
-
-    Attributes:
-        works: by the line of the row.
-        notes: works that have no row, each with the reason.
-    """
-
-    works: Mapping[int, GradedWork]
-    notes: tuple[Message, ...]
-
-
 def works_of(
     grades: GradesResult,
     students: Mapping[str, Student],
@@ -121,133 +100,9 @@ def works_of(
     return tuple(works), tuple(notes)
 
 
-def match(works: Sequence[GradedWork], rows: Sequence[PlatformRow], file: str) -> Matching:
-    """Tell which row is whose; see the module.
-
-    Args:
-        works: that count.
-        rows: of the table.
-        file: the table, for what is said of it.
-
-    Raises:
-        UsageError: two rows are of one person, or two works belong to one row.
-    """
-    problems = list(_doubled(rows, file))
-    found: dict[int, list[GradedWork]] = {}
-    notes = []
-    for work in works:
-        surest = [_by_number(work, rows), _by_key(work, rows)]
-        lines = {row.line for group in surest for row in group}
-        if not lines:
-            lines = {row.line for row in _by_name(work, rows, works)}
-        if len(lines) == 1:
-            found.setdefault(lines.pop(), []).append(work)
-        elif surest[0] and surest[1]:
-            notes.append(_disputed(work, lines))
-        elif lines:
-            problems.append(_two_rows(file, work, lines))
-        else:
-            notes.append(_absent(work))
-    problems += [_two_works(file, line, of) for line, of in found.items() if len(of) > 1]
-    if problems:
-        raise UsageError(problems)
-    return Matching({line: one for line, (one,) in found.items()}, tuple(notes))
-
-
-def is_of_team(work: GradedWork, row: PlatformRow) -> bool:
-    """Tell whether a work lay where its platform puts the works of a team.
-
-    Args:
-        work: of a student.
-        row: of the same student.
-    """
-    part = work.part
-    return part is not None and not part.joined and not _is_of_person(part, work, row)
-
-
-def _is_of_person(part: PlatformPart, work: GradedWork, row: PlatformRow) -> bool:
-    return part.stands_for(row.name, work.report.name)
-
-
-def _by_number(work: GradedWork, rows: Iterable[PlatformRow]) -> list[PlatformRow]:
-    part = work.part
-    if part is None or not part.identifier:
-        return []
-    return [row for row in rows if row.number == part.identifier and _is_of_person(part, work, row)]
-
-
-def _by_key(work: GradedWork, rows: Iterable[PlatformRow]) -> list[PlatformRow]:
-    own = {work.report.student, work.email} - {""}
-    # Who has two accounts there, too, gets the grade by the one whose id is kept.
-    return _with_any(own, rows) or _with_any(work.other_keys, rows)
-
-
-def _with_any(keys: Iterable[str], rows: Iterable[PlatformRow]) -> list[PlatformRow]:
-    wanted = {key.casefold() for key in keys}
-    return [row for row in rows if wanted & {key.strip().casefold() for key in row.keys}]
-
-
-def _by_name(
-    work: GradedWork, rows: Iterable[PlatformRow], works: Iterable[GradedWork]
-) -> list[PlatformRow]:
-    own = sorted(words_of(work.report.name))
-    namesakes = [one for one in works if sorted(words_of(one.report.name)) == own]
-    found = [row for row in rows if own and sorted(words_of(row.name)) == own]
-    return found if len(found) == len(namesakes) == 1 else []
-
-
-def _doubled(rows: Iterable[PlatformRow], file: str) -> Iterator[Problem]:
-    lines: dict[str, int] = {}
-    for row in rows:
-        if row.number and (first := lines.setdefault(row.number, row.line)) != row.line:
-            what = message(
-                "Rows {first} and {second} have the same number {number}.",
-                first=first,
-                second=row.line,
-                number=row.number,
-            )
-            yield Problem(file, "", what, _again())
-
-
-def _two_rows(file: str, work: GradedWork, lines: Iterable[int]) -> Problem:
-    what = message(
-        "Rows {lines} are all of {student}.",
-        lines=", ".join(map(str, sorted(lines))),
-        student=work.said,
-    )
-    return Problem(file, "", what, _again())
-
-
-def _two_works(file: str, line: int, works: Iterable[GradedWork]) -> Problem:
-    what = message(
-        "The works of {students} belong to the same row {line}.",
-        students=", ".join(one.said for one in works),
-        line=line,
-    )
-    remedy = message("Correct the ids and addresses of the roster, or fill in this row by hand.")
-    return Problem(file, "", what, remedy)
-
-
-def _again() -> Message:
-    return message("Export the table from the platform again and leave its rows as they are.")
-
-
 def _several(student: str, reports: Iterable[ReportResult]) -> Message:
     return message(
         "{student} handed in several works with different points, so no grade is written: {files}.",
         student=student,
         files=", ".join(PurePath(one.file).name for one in reports),
     )
-
-
-def _disputed(work: GradedWork, lines: Iterable[int]) -> Message:
-    return message(
-        "The work of {student} was handed in under another account: rows {lines}. No grade is"
-        " written.",
-        student=work.said,
-        lines=", ".join(map(str, sorted(lines))),
-    )
-
-
-def _absent(work: GradedWork) -> Message:
-    return message("{student} is not in the platform's table.", student=work.said)

@@ -1,7 +1,8 @@
 """How reliable a score is: Cronbach's alpha.
 
 Works of different schemes answer different quantities. So all works are compared by the points of
-their sections, and the works of one scheme by the points of the quantities that all of them have.
+their sections, and the works of one scheme by the points of the quantities that all of them have;
+an item has the same points in all works, so that variants do not tell works apart.
 """
 
 from typing import TYPE_CHECKING, Any
@@ -57,7 +58,16 @@ def _row(scheme: str, item: str, shares: "pd.DataFrame") -> dict[str, Any]:
 
 
 def _points(shares: "pd.DataFrame", item: str, view: str) -> "pd.DataFrame":
-    """Return the points of each work in each item that all of them have."""
-    earned = shares[["work", item]].assign(points=shares[view] * shares["weight"])
-    table = earned.pivot_table(index="work", columns=item, values="points", aggfunc="sum")
-    return table.dropna(axis="columns")
+    """Return the points of each work in each item that all of them have.
+
+    How many points an item has depends on the variant, and on what waits for a person: by them
+    alone works that are all right would differ. So an item counts in all of them with its mean.
+    """
+    points = shares[["work", item, "weight"]].assign(earned=shares[view] * shares["weight"])
+    earned, possible = (
+        points.pivot_table(index="work", columns=item, values=one, aggfunc="sum").dropna(
+            axis="columns"
+        )
+        for one in ("earned", "weight")
+    )
+    return earned / possible * possible.mean()

@@ -76,6 +76,11 @@ class Results:
     joins: tuple[Join, ...] = ()
     outdated: tuple[Message, ...] = ()
 
+    @property
+    def names(self) -> dict[str, str]:
+        """The name of everybody in the register, by id."""
+        return {id_: one.name for id_, one in self.students.items()}
+
     def report_of(self, work: GradedWork) -> Path | None:
         """Tell where the report of a work lies; None where none tells the points of the grades."""
         path = self.reports / f"{work.report.student}.pdf"
@@ -155,6 +160,7 @@ def moodle_files(
         read_worksheet(worksheet),
         results.works,
         lambda work: comment_html(work, course, results.words_of(work.report.student)),
+        results.names,
     )
     notes: tuple[Message, ...] = ()
     if feedback is not None:
@@ -166,7 +172,7 @@ def moodle_files(
 
 def canvas_file(results: Results, gradebook: Path, assignment: str, out: Path) -> FilledGradebook:
     """Write the table that Canvas imports; see `exports.platforms.canvas`."""
-    filled = fill_gradebook(gradebook, results.works, assignment)
+    filled = fill_gradebook(gradebook, results.works, assignment, results.names)
     write_bytes(out, filled.content, private=True)
     return filled
 
