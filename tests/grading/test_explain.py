@@ -51,6 +51,16 @@ def test_no_wrong_number_is_so_far_off_that_nothing_can_be_weighed(
     assert found["grip_force"].outcome is Outcome.WRONG
 
 
+@pytest.mark.parametrize("gravity", [9.80665, 9.81])
+def test_a_force_in_kilograms_is_named_by_whichever_gravity_it_was_divided(
+    hydraulic: "Case", typed: "Typed", gravity: float
+) -> None:
+    force = hydraulic.reference["drive_force"] / gravity
+    found = finding(hydraulic, "drive_force", typed("drive_force", force, 6))
+    assert str(found.slip) == "unit:kgf"
+    assert found.tied == ()
+
+
 class TestTypedPrecision:
     def test_a_slip_is_matched_at_the_precision_that_was_typed(
         self, hydraulic: "Case", typed: "Typed"

@@ -177,3 +177,19 @@ def test_what_follows_from_exchanged_numbers_as_they_were_meant_is_no_mistake(
     assert len(lost) == 2, lost
     said = [str(one.message) for one in flat_belt.findings(answers).values()]
     assert any("are exchanged" in one for one in said)
+
+
+def test_a_number_of_a_table_that_stands_far_away_too_is_the_same_by_chance(
+    hydraulic: "Case", typed: Callable[[str, float, int], Answer]
+) -> None:
+    """Of short numbers there are many: a bolt circle of 18 mm was not meant as a travel of 18."""
+    order = [one.id for one in hydraulic.plan.answered]
+    picks = [one.id for one in hydraulic.plan.answered if one.kind is Kind.PICK]
+    far = [one for one in picks if order.index(one) - order.index("jaw_travel") > 1]
+    assert far
+    for name in far:
+        number = 2 * hydraulic.reference[name]
+        pair = {one: typed(one, number, 2) for one in (name, "jaw_travel")}
+        finding = hydraulic.findings({**hydraulic.answers, **pair})[name]
+        assert finding.outcome.traits.mistake
+        assert "nother cell" not in f"{finding.message} {' '.join(map(str, finding.remarks))}"

@@ -11,17 +11,19 @@ from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import Final
 
-from gripcourse.formula.tree import Call
+from gripcourse.formula.tree import Call, Formula, Name, Operation
 from gripcourse.grading.comparison import Comparison, ExpectedRange
 from gripcourse.grading.manner import CARRIED_TYPED
 from gripcourse.grading.shortened import with_shortened
 from gripcourse.grading.typed_density import density, furthest_met, unexplained
 from gripcourse.policy.slips import OF_WRITING, SlipKind, SlipPolicy
 from gripcourse.slips.model import Candidate
+from gripcourse.slips.rewrite import scaled
 from gripcourse.text.units import factor
 
 # Methods whose results agree so far cannot be told apart by any number.
 _ALIKE: Final = 1e-6
+_STANDARD_GRAVITY: Final = 9.80665  # m/s², by definition
 # People compute from their own numbers; few take one of somebody else's that is right.
 _FROM_OWN, _FROM_REFERENCE = 0.9, 0.1
 _LATER: Final = 4  # answers that are asked
@@ -90,6 +92,7 @@ def _weigh(
         met += _FROM_REFERENCE / _FROM_OWN * met
     if abs(comparison.value - follow_through.value) <= _HABITS_MOVE * abs(follow_through.value):
         met = _met_by_habit(comparison, candidate, furthest, met)
+        met = met or _met_by_gravity(comparison, candidate, furthest)
     width = follow_through.high - follow_through.low
     return Weighed(
         of=comparison.quantity.id,
@@ -123,6 +126,27 @@ def _met_by_habit(
     if True in met_so:
         return max(met_so[True], FROM_HABIT * max(met, met_so.get(False, 0.0)))
     return met or FROM_HABIT * met_so.get(False, 0.0)
+
+
+def _met_by_gravity(comparison: Comparison, candidate: Candidate, furthest: float) -> float:
+    """Return how well a force meets an answer that was divided by the gravity of the course.
+
+    A kilogram-force is the weight of a kilogram under 9.80665 m/s²; people compute with 9.81.
+    """
+    gravity = comparison.policy.slips.kinds.get(SlipKind.GRAVITY_LEFT_OUT)
+    if candidate.kind != SlipKind.UNIT or gravity is None:
+        return 0.0
+    decades = math.log10(factor(candidate.id.detail) / _STANDARD_GRAVITY)
+    if not math.isclose(decades, round(decades), abs_tol=_ALIKE):
+        return 0.0
+    by_standard = scaled(candidate.formula.tree, _STANDARD_GRAVITY)
+    found = [0.0]
+    for name in gravity.names:
+        if name in comparison.plan.quantities:
+            tree = Operation("/", by_standard, Name(name))
+            formula = Formula("", tree, candidate.formula.units)
+            found.append(_met(comparison, comparison.near_own(formula, furthest)))
+    return max(found)
 
 
 def with_later_answers(found: Weighed, later: Sequence[Comparison]) -> Weighed:

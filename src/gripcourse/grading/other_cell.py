@@ -4,7 +4,7 @@ import math
 from collections.abc import Collection
 from typing import Final
 
-from gripcourse.course.quantity import Kind
+from gripcourse.course.quantity import Kind, Quantity
 from gripcourse.grading.comparison import Comparison
 from gripcourse.grading.explain import Weighed
 from gripcourse.grading.rounding import typed_half_unit
@@ -55,13 +55,14 @@ def is_number_of(comparison: Comparison, other: str, method: Weighed) -> bool:
 def _holds_the_same(comparison: Comparison, name: str, beside: Collection[str]) -> bool:
     """Tell whether another cell has the same number, and not because it happens so.
 
-    A size is short and met by chance: only one in the cell above or below was copied from it.
+    A size or a count is short and met by chance: it was copied only from or into the cell above or
+    below.
     """
     quantity = comparison.plan.quantities[name]
     number = comparison.follow_through.known.get(name)
     if number is None or name == comparison.quantity.id or quantity.kind is Kind.VERDICT:
         return False
-    if quantity.exact and name not in beside:
+    if name not in beside and any(map(_is_short, (quantity, comparison.quantity))):
         return False
     if not math.isclose(number / factor(quantity.unit), comparison.value, rel_tol=_SAME):
         return False
@@ -69,6 +70,10 @@ def _holds_the_same(comparison: Comparison, name: str, beside: Collection[str]) 
     if math.isclose(right / factor(quantity.unit), comparison.reference, rel_tol=_SAME):
         return False  # both cells ask for one number: neither was mistaken for the other
     return math.isclose(number, right, rel_tol=_RIGHT) or not _rests_on(comparison, name)
+
+
+def _is_short(quantity: Quantity) -> bool:
+    return quantity.exact or quantity.integer
 
 
 def _rests_on(comparison: Comparison, name: str) -> bool:

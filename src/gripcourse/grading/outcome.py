@@ -235,7 +235,7 @@ class Outcome(StrEnum):
         OutcomeTraits(
             sign="?",
             word=message("unreadable"),
-            meaning=message("the cell holds something that is not a number"),
+            meaning=message("no answer can be read in the cell"),
             style="fault",
             waits=False,
             by_rubric=False,

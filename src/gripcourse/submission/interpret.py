@@ -94,8 +94,20 @@ def _in_cell(quantity: Quantity, cell: RawCell | None) -> Answer:
             figures_at_most=None if figures is None else figures.most,
         )
     if understood is None:
-        return _without_value(quantity, Reading.BLANK, "", cell.cell, ())
+        return _blank(quantity, cell)
     return _without_value(quantity, Reading.UNREADABLE, cell_text(cell), cell.cell, (understood,))
+
+
+def _blank(quantity: Quantity, cell: RawCell) -> Answer:
+    """A value behind the cell is no answer, but no blank: whoever wrote it has to be told."""
+    for one in cell.aside:
+        if isinstance(understand(quantity, one), Understood):
+            said = message(
+                "The value stands beside the answer cell, which is empty: write it into the cell."
+            )
+            typed = cell_text(one)
+            return _without_value(quantity, Reading.UNREADABLE, typed, cell.cell, (said,))
+    return _without_value(quantity, Reading.BLANK, "", cell.cell, ())
 
 
 def _without_value(

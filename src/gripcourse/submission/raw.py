@@ -23,6 +23,7 @@ class RawCell:
             not stored.
         cell: where it stands, `sheet!address`.
         label: the text that names a quantity in its row; empty for none.
+        aside: of an answer that is blank, the cells behind it in its row, the nearest first.
     """
 
     value: CellValue
@@ -31,6 +32,7 @@ class RawCell:
     formula: str
     cell: str
     label: str = ""
+    aside: tuple["RawCell", ...] = ()
 
     @property
     def is_filled(self) -> bool:

@@ -10,7 +10,7 @@ import re
 import zipfile
 import zlib
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import PurePath
 from typing import Final, TypeVar
 from xml.etree.ElementTree import Element
@@ -62,6 +62,8 @@ _ANSWER: Final = names.cell_name(names.ANSWER, "")
 _Held = TypeVar("_Held")
 # Columns from a title to its answer.
 _TO_TITLE: Final = SheetColumn.VALUE - SheetColumn.TITLE
+# Columns behind an answer that somebody may have taken for its own: of the checks, and the next.
+_ASIDE: Final = (SheetColumn.CHECK - SheetColumn.VALUE, SheetColumn.CHECK - SheetColumn.VALUE + 1)
 
 
 @dataclass(frozen=True, slots=True)
@@ -209,7 +211,9 @@ def _cells(
     beside = places_beside(answers, set(named.values()), parts)
     copied = set[NamedPlace]().union(*copies.values())
     labels = {one: _label_of(one) for one in (*answers, *beside, *copied)}
+    asides = {one: _aside_of(one) for one in answers}
     wanted_places = {*named.values(), *copied, *beside, *labels.values()}
+    wanted_places.update(*asides.values())
     places: dict[str, set[Place]] = {}
     for one in wanted_places:
         if one.sheet in parts:
@@ -239,9 +243,14 @@ def _cells(
         label = look.shown(cell)[0].value
         return " ".join(label[:_LONGEST_LABEL].split()) if isinstance(label, str) else ""
 
+    def with_aside(where: NamedPlace, cell: RawCell) -> RawCell:
+        if cell.is_filled or where not in answers:
+            return cell
+        return replace(cell, aside=tuple(raw(one) for one in asides[where]))
+
     there = {name: where for name, where in named.items() if where.sheet in sheets}
     cells = {
-        name: raw(where, label_of(where) if where in answers else "")
+        name: with_aside(where, raw(where, label_of(where) if where in answers else ""))
         for name, where in there.items()
     }
     on_copies = {
@@ -265,6 +274,12 @@ def _label_of(where: NamedPlace) -> NamedPlace:
     """Return where the title of a quantity stands, by the place of its answer."""
     row, column = where.place
     return NamedPlace(where.sheet, (row, max(column - _TO_TITLE, 1)))
+
+
+def _aside_of(where: NamedPlace) -> tuple[NamedPlace, ...]:
+    """Return the places behind an answer, the nearest first."""
+    row, column = where.place
+    return tuple(NamedPlace(where.sheet, (row, column + further)) for further in _ASIDE)
 
 
 def _order(where: NamedPlace) -> tuple[str, Place]:
