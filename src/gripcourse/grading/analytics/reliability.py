@@ -65,9 +65,8 @@ def _points(shares: "pd.DataFrame", item: str, view: str) -> "pd.DataFrame":
     """
     points = shares[["work", item, "weight"]].assign(earned=shares[view] * shares["weight"])
     earned, possible = (
-        points.pivot_table(index="work", columns=item, values=one, aggfunc="sum").dropna(
-            axis="columns"
-        )
+        points.pivot_table(index="work", columns=item, values=one, aggfunc="sum")
         for one in ("earned", "weight")
     )
-    return earned / possible * possible.mean()
+    # An item that is worth nothing in some work is none that all of them have.
+    return (earned / possible * possible.mean()).dropna(axis="columns")
