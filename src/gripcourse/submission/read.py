@@ -9,7 +9,7 @@ import hashlib
 import re
 import zipfile
 import zlib
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from pathlib import PurePath
 from typing import Final, TypeVar
@@ -211,14 +211,12 @@ def _cells(
     beside = places_beside(answers, set(named.values()), parts)
     copied = set[NamedPlace]().union(*copies.values())
     labels = {one: _label_of(one) for one in (*answers, *beside, *copied)}
-    asides = {one: _aside_of(one) for one in answers}
-    wanted_places = {*named.values(), *copied, *beside, *labels.values()}
-    wanted_places.update(*asides.values())
-    places: dict[str, set[Place]] = {}
-    for one in wanted_places:
-        if one.sheet in parts:
-            places.setdefault(parts[one.sheet], set()).add(one.place)
-    located = {part: _located(package.tree(part), wanted) for part, wanted in places.items()}
+    wanted = _by_part({*named.values(), *copied, *beside, *labels.values()}, parts)
+    answered = _by_part(answers, parts)
+    located = {
+        part: _located(package.tree(part), places, answered.get(part, frozenset()))
+        for part, places in wanted.items()
+    }
     sheets = {title: located[part] for title, part in parts.items() if part in located}
     stored = [cell for sheet in located.values() for _, cell in sheet.stored.values()]
     look = looks_of(package, workbook, stored)
@@ -246,7 +244,9 @@ def _cells(
     def with_aside(where: NamedPlace, cell: RawCell) -> RawCell:
         if cell.is_filled or where not in answers:
             return cell
-        return replace(cell, aside=tuple(raw(one) for one in asides[where]))
+        read = sheets[where.sheet].stored
+        behind = (NamedPlace(where.sheet, one) for one in _behind(where.place) if one in read)
+        return replace(cell, aside=tuple(map(raw, behind)))
 
     there = {name: where for name, where in named.items() if where.sheet in sheets}
     cells = {
@@ -276,20 +276,40 @@ def _label_of(where: NamedPlace) -> NamedPlace:
     return NamedPlace(where.sheet, (row, max(column - _TO_TITLE, 1)))
 
 
-def _aside_of(where: NamedPlace) -> tuple[NamedPlace, ...]:
+def _behind(answer: Place) -> tuple[Place, ...]:
     """Return the places behind an answer, the nearest first."""
-    row, column = where.place
-    return tuple(NamedPlace(where.sheet, (row, column + further)) for further in _ASIDE)
+    row, column = answer
+    return tuple((row, column + further) for further in _ASIDE)
 
 
 def _order(where: NamedPlace) -> tuple[str, Place]:
     return where.sheet, where.place
 
 
-def _located(sheet: Element, places: set[Place]) -> _Located:
+def _by_part(places: Iterable[NamedPlace], parts: Mapping[str, str]) -> dict[str, set[Place]]:
+    """Return places of sheets that there are, by the part of their sheet."""
+    found: dict[str, set[Place]] = {}
+    for one in places:
+        if one.sheet in parts:
+            found.setdefault(parts[one.sheet], set()).add(one.place)
+    return found
+
+
+def _located(sheet: Element, places: set[Place], answers: Collection[Place]) -> _Located:
+    """Read what shows at some places, and behind those answers among them that are blank."""
+    found = _shown_at(sheet, places)
+    behind = {one for answer in answers if _is_blank(found[answer][1]) for one in _behind(answer)}
+    return _Located(found | _shown_at(sheet, behind) if behind else found)
+
+
+def _shown_at(sheet: Element, places: set[Place]) -> dict[Place, tuple[Place, StoredCell]]:
     shown = first_of_merged(sheet, places)
     cells = stored_cells(sheet, set(shown.values()))
-    return _Located({place: (at, cells.get(at, EMPTY)) for place, at in shown.items()})
+    return {place: (at, cells.get(at, EMPTY)) for place, at in shown.items()}
+
+
+def _is_blank(cell: StoredCell) -> bool:
+    return cell.text is None and not cell.formula
 
 
 def _of_role(named: Mapping[str, _Held], role: str) -> dict[str, _Held]:
