@@ -13,7 +13,8 @@ from gripcourse.text.words import Message, message
 _ENCODINGS: Final = ("cp1251", "cp866", "koi8_u")
 """In which offices of the course's languages still save text."""
 _BEGINNING: Final = 1 << 12  # bytes
-_FEWEST_NOUGHTS: Final = 20  # letters, among which one at least is a blank, a digit or a separator
+_PAGES: Final = (0x00, 0x04)  # first bytes of Latin and Cyrillic letters, digits and separators
+_FEWEST_KNOWN: Final = 0.9  # share of these; the others are № and quotation marks
 
 
 @dataclass(frozen=True, slots=True)
@@ -64,14 +65,18 @@ def decoded(source: Readable, content: bytes) -> TextOfFile:
 def _unmarked_utf16(content: bytes) -> str | None:
     """Tell a text of two bytes a letter that does not say so, as programs of databases export it.
 
-    Blanks, digits and what separates cells have a nought in one of both bytes, and so in one place.
+    One of both bytes is then nearly always that of two alphabets, and a nought for each blank,
+    digit and separator; the other one never is a nought.
     """
     beginning = content[:_BEGINNING]
-    noughts = [beginning[at::2].count(0) for at in (0, 1)]
-    is_enough = 2 * _FEWEST_NOUGHTS * max(noughts) > len(beginning)
-    if len(content) % 2 or min(noughts) or not is_enough:
+    if len(content) % 2 or b"\0" not in beginning:
         return None
-    return "utf-16-le" if noughts[1] else "utf-16-be"
+    for encoding, first in (("utf-16-be", 0), ("utf-16-le", 1)):
+        pages, others = beginning[first::2], beginning[1 - first :: 2]
+        known = sum(map(pages.count, _PAGES))
+        if 0 in pages and 0 not in others and known >= _FEWEST_KNOWN * len(pages):
+            return encoding
+    return None
 
 
 def _check(source: Readable, content: bytes, encoding: str) -> None:
