@@ -136,6 +136,14 @@ def server(opened: Server, minutes: Iterator[int]) -> Iterator[Server]:
 
 
 @pytest.fixture
+def added_to_policy(server: Server) -> Iterator[Path]:
+    """Where a file comes to the policy after works were graded; it goes with the test."""
+    path = server.context.course.root / "grader" / "early&late.toml"
+    yield path
+    path.unlink(missing_ok=True)
+
+
+@pytest.fixture
 def filled(server: Server, tmp_path: Path) -> bytes:
     """The workbook of the first student, filled in."""
     return server.filled("s01", tmp_path)

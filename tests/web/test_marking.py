@@ -126,13 +126,18 @@ def test_nothing_waits_of_who_is_not_there(signed_in: "TestClient") -> None:
         assert signed_in.get(f"/desk/marking/{path}").status_code == 404
 
 
-def test_a_regrade_counts_only_as_it_was_shown_and_with_a_reason(graded: "Server") -> None:
+def test_a_regrade_counts_only_as_it_was_shown_and_with_a_reason(
+    graded: "Server", added_to_policy: "Path"
+) -> None:
     context = graded.context
+    added_to_policy.write_text("share = 0.5\n", encoding="utf-8")
     stricter = replace(context.policy, carried_credit=0.5)
     later = replace(graded, context=replace(context, policy=stricter))
     client, before = sign_in(later), len(regrades(book(graded)))
     key = form_key(client)
-    shown = unescape(client.post("/desk/regrading", data={"form_key": key}).text)
+    page = client.post("/desk/regrading", data={"form_key": key}).text
+    assert "<li>grader/early&amp;late.toml: добавлен</li>" in page
+    shown = unescape(page)
     found = re.search(r'name="seen" value="([0-9a-f]{64})"', shown)
     assert found is not None
     assert "Иванова" in shown

@@ -203,7 +203,8 @@ def history(
     Args:
         gradebook: path or database URL.
         student: id.
-        course: that says who left it, and which ids were joined; None where nobody was withdrawn.
+        course: that says who left it, which ids were joined, and what changed in its policy; None
+            where nobody was withdrawn.
 
     Raises:
         GripcourseError: the gradebook does not know the student.
@@ -217,4 +218,5 @@ def history(
     register = register_of(course.root)
     known = register.by_student()
     said, course_id = register.withdrawals, register.course_id
-    return ask(place, student, known, withdrawals=said, course_id=course_id)
+    root = course.root
+    return ask(place, student, known, withdrawals=said, course_id=course_id, root=root)

@@ -241,7 +241,7 @@ def history(
     place = gradebook_place(gradebook, root)
     register = register_of(root)
     known, withdrawals = register.by_student(), register.withdrawals
-    events = ask(place, student, known, called, withdrawals, register.course_id)
+    events = ask(place, student, known, called, withdrawals, register.course_id, root=root)
     typer.echo(regrade_text.history_text(events, words))
     counts = None if context is None else what_counts(place, student, context)
     if counts is not None:

@@ -58,7 +58,7 @@ def chosen_direction(written: str | None) -> "Shift | None":
 def regrade_text(
     found: "Regrading", only: "Shift | None", context: "GradingContext", words: Words
 ) -> str:
-    """Return old and new points of each work, what changed about each item, and the counts.
+    """Return what changed in the policy, the points of each work and item, and the counts.
 
     Args:
         found: what a regrade comes to.
@@ -69,11 +69,12 @@ def regrade_text(
     from gripcourse.gradebook.regrade import Shift
 
     asked = found.to_apply if only is None else found.going(only)
-    lines = []
+    lines = list(_policies(found, words))
     called = told_apart([one.work.attempt.file for one in asked])
     if asked:
         heads = [words.say(one) for one in _HEADS]
-        rows = [_row(one, called, context, words) for one in asked]
+        several = len(found.policies) > 1
+        rows = [_row(one, called, context, words, named=several) for one in asked]
         lines.append(table_text(heads, rows, right={2, 3}))
     works = Counter(one.work.student for one in asked)
     for one in asked:
@@ -142,12 +143,32 @@ def history_text(events: Sequence["Event"], words: Words) -> str:
     return "\n".join(lines)
 
 
-def _row(
-    one: "WorkChange", called: Callable[[str], str], context: "GradingContext", words: Words
-) -> tuple[str, ...]:
-    from gripcourse.usecases.marks.called import student_with_id
+def _policies(found: "Regrading", words: Words) -> Iterator[str]:
+    """Yield what differs in each earlier policy, the lines below their heading."""
+    from gripcourse.usecases.marks.policy_said import policy_change_said
 
-    changed = ", ".join(words.say(_VERSIONS[version.value]) for version in one.versions)
+    for change in found.policies:
+        for number, said in enumerate(policy_change_said(change)):
+            yield f"{'  ' if number else ''}{words.say(said)}"
+
+
+def _row(
+    one: "WorkChange",
+    called: Callable[[str], str],
+    context: "GradingContext",
+    words: Words,
+    *,
+    named: bool,
+) -> tuple[str, ...]:
+    """Return the line of a work; `named` tells which of several policies it was graded by."""
+    from gripcourse.usecases.marks.called import student_with_id
+    from gripcourse.usecases.marks.policy_said import policy_name
+
+    policy = policy_name(one.work.attempt.fingerprints.policy) if named else ""
+    changed = ", ".join(
+        f"{words.say(_VERSIONS[version])} {policy if version == 'policy' else ''}".rstrip()
+        for version in one.versions
+    )
     return (
         student_with_id(one.work.student, context),
         called(one.work.attempt.file),

@@ -29,15 +29,18 @@ def fingerprints(root: Path) -> Fingerprints:
     Raises:
         OSError: a file cannot be read.
     """
-    policy = _found(root, _POLICY)
-    return Fingerprints(
-        _digest(root, declaring_files(root)), _digest(root, policy), engine_fingerprint()
-    )
+    course, policy = (_digest(root, files(root)) for files in (declaring_files, policy_files))
+    return Fingerprints(course, policy, engine_fingerprint())
 
 
 def declaring_files(root: Path) -> list[Path]:
     """Return the files of a course that declare what is judged: neither people nor tables."""
     return [path for path in _found(root, _COURSE) if path.parent.name not in _NO_COURSE]
+
+
+def policy_files(root: Path) -> list[Path]:
+    """Return the files of a course that say how answers become points, with the rubrics."""
+    return _found(root, _POLICY)
 
 
 @cache

@@ -8,6 +8,7 @@ from starlette.routing import Route
 from gripcourse.gradebook.journal import Signed, applied, regrades
 from gripcourse.gradebook.regrade import Shift
 from gripcourse.gradebook.store import Gradebook
+from gripcourse.usecases.marks.policy_said import policy_change_said
 from gripcourse.usecases.marks.regrade import Regrading
 from gripcourse.web.desk_acts import (
     apply_shown,
@@ -69,12 +70,19 @@ def _page(seat: Seat, found: Regrading | None) -> Response:
         "found": found,
         "seen": "" if found is None else digest_of_changes(found),
         "counts": {} if found is None else {one.value: len(found.going(one)) for one in Shift},
+        "policies": [] if found is None else _policies(seat, found),
         "titles": titles_of(context, seat.words),
         "names": names,
         "missing": [names.get(one, one) for one in missing],
         "stands": applied(regrades(Gradebook(context.desk.engine))),
     }
     return seat.page("regrading", values)
+
+
+def _policies(seat: Seat, found: Regrading) -> list[tuple[str, list[str]]]:
+    """Return what is said of each earlier policy: a heading, and its lines."""
+    said = ([seat.words.say(one) for one in policy_change_said(each)] for each in found.policies)
+    return [(one[0], one[1:]) for one in said if one]
 
 
 def _signed(seat: Seat) -> Signed:

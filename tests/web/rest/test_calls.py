@@ -242,12 +242,16 @@ def test_items_are_marked_once_by_their_rubric_and_as_they_were_seen(
 
 
 def test_a_regrade_is_seen_before_it_counts_and_needs_a_reason(
-    api: "Api", server: "Server", filled: bytes, tmp_path: Path
+    api: "Api", server: "Server", filled: bytes, tmp_path: Path, added_to_policy: Path
 ) -> None:
     student(api, "s01").ask("POST", "/hand-ins", files={"file": ("work.xlsx", filled)})
     server.grade(tmp_path)
+    added_to_policy.write_text("share = 0.5\n", encoding="utf-8")
     desk = instructor(api)
-    seen = desk.ask("POST", "/desk/regrading").json()["seen"]
+    shown = desk.ask("POST", "/desk/regrading").json()
+    (policy,), seen = shown["policies"], shown["seen"]
+    line = {"file": "grader/early&late.toml", "key": "", "before": None, "after": ""}
+    assert (len(policy["fingerprint"]), policy["lines"]) == (64, [line])
     path = "/desk/regrading/apply"
     stale = desk.ask("POST", path, json={"seen": "other", "why": "x"})
     assert (stale.status_code, stale.json()["code"]) == (409, "conflict")

@@ -6,12 +6,10 @@ by those of that day. They lie in the course's private folder, as they stood in 
 their own fingerprint: what has another one is not used.
 """
 
-import io
-import tempfile
-import zipfile
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import cache, partial
+from itertools import chain
 from pathlib import Path
 from typing import Final
 
@@ -21,13 +19,12 @@ from gripcourse.course.model import Course
 from gripcourse.course.quantity import Quantity
 from gripcourse.errors import CourseError
 from gripcourse.gradebook.fingerprint import declaring_files, fingerprints
-from gripcourse.machine.files import make_private_folder, write_bytes
+from gripcourse.machine.kept_files import keep_files, kept_files
 from gripcourse.solver.plan import plan_of
 from gripcourse.text.words import Texts
 from gripcourse.variants.model import Issued
 
-FOLDER: Final = "declarations"
-_EARLIEST: Final = (1980, 1, 1, 0, 0, 0)  # of a zip: when it was made says nothing
+_KIND: Final = "declarations"
 
 
 def keep_declarations(root: Path) -> str:
@@ -43,10 +40,7 @@ def keep_declarations(root: Path) -> str:
         OSError: a file cannot be read or written.
     """
     fingerprint = fingerprints(root).course
-    path = _path(root, fingerprint)
-    if not path.is_file():
-        make_private_folder(path.parent)
-        write_bytes(path, _packed(root), private=True)
+    keep_files(root, _KIND, fingerprint, chain(declaring_files(root), _rubrics(root)))
     return fingerprint
 
 
@@ -104,35 +98,16 @@ def _superseded(last: Mapping[str, Issued], earlier: Iterable[Issued]) -> Iterat
             yield one.declarations
 
 
-def _path(root: Path, fingerprint: str) -> Path:
-    return root / "private" / FOLDER / f"{fingerprint}.zip"
-
-
-def _packed(root: Path) -> bytes:
-    stream = io.BytesIO()
-    with zipfile.ZipFile(stream, "w") as archive:
-        for path in (*declaring_files(root), *_rubrics(root)):
-            info = zipfile.ZipInfo(path.relative_to(root).as_posix(), _EARLIEST)
-            archive.writestr(info, path.read_bytes(), zipfile.ZIP_DEFLATED)
-    return stream.getvalue()
-
-
 def _rubrics(root: Path) -> Iterable[Path]:
     """Return what items that persons mark name; the rest of the policy is always today's."""
     return sorted((root / RUBRICS).glob("*.toml"))
 
 
 def _loaded(root: Path, fingerprint: str) -> Course | None:
-    path = _path(root, fingerprint)
-    if not path.is_file():
-        return None
-    with tempfile.TemporaryDirectory() as name:
-        folder = Path(name)
+    with kept_files(root, _KIND, fingerprint) as folder:
+        if folder is None or fingerprints(folder).course != fingerprint:
+            return None
         try:
-            with zipfile.ZipFile(path) as archive:
-                archive.extractall(folder)
-            if fingerprints(folder).course != fingerprint:
-                return None
             return replace(load_course(folder), root=root)
-        except (CourseError, zipfile.BadZipFile):
+        except CourseError:
             return None

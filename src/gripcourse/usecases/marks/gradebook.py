@@ -32,6 +32,7 @@ from gripcourse.machine.database.opening import demand_writing
 from gripcourse.policy.time_rules import Counts
 from gripcourse.usecases.marks.attempt_times import doubts_about_time, to_keep
 from gripcourse.usecases.marks.handed_in import HandingTime
+from gripcourse.usecases.marks.kept_policies import keep_policy
 from gripcourse.usecases.serving.taken import order_of_works
 
 # What the gradebook knows of all at once is large: attempts take some ten kilobytes each.
@@ -94,6 +95,7 @@ def keep(
         # Nobody's file: a gradebook is not made for nothing.
         return graded
     deadlines = course_deadlines(context.course.root, context.policy.late)
+    keep_policy(context.course.root)
     book = open_gradebook(place, context.joins)
     keeping = _Keeping(
         context=context,

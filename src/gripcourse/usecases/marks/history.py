@@ -4,6 +4,7 @@ from collections.abc import Callable, Container, Iterable, Iterator, Mapping, Se
 from dataclasses import dataclass
 from datetime import datetime
 from itertools import accumulate
+from pathlib import Path
 
 from gripcourse.access.desk.model import GradedBatch
 from gripcourse.access.desk.store import Desk, batches_by_time
@@ -15,11 +16,14 @@ from gripcourse.gradebook.model import Attempt, GradebookEntry
 from gripcourse.gradebook.timing import Waiver
 from gripcourse.gradebook.works import in_order, points_of, works_of
 from gripcourse.issuing.withdrawal import Withdrawal, joins_of, persons_of
+from gripcourse.policy.changes import PolicyLine
 from gripcourse.text.shown import shown
 from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.words import Message, message
 from gripcourse.usecases.marks.counting import works_that_count
+from gripcourse.usecases.marks.kept_policies import changed_by_attempt
 from gripcourse.usecases.marks.mark import existing_gradebook
+from gripcourse.usecases.marks.policy_said import changed_since_said
 from gripcourse.usecases.serving.taken import order_of_works
 
 _DECIMALS = 2
@@ -42,13 +46,15 @@ class Event:
     why: str
 
 
-def history(
+def history(  # noqa: PLR0913 (what a gradebook does not know by itself)
     place: str,
     student: str,
     known: Container[str] = (),
     called: Callable[[str], str] = str,
     withdrawals: Iterable[Withdrawal] = (),
     course_id: str = "",
+    *,
+    root: Path | None = None,
 ) -> tuple[Event, ...]:
     """Return what happened to a student's grade, oldest first.
 
@@ -59,6 +65,7 @@ def history(
         called: what people call the quantity of an id.
         withdrawals: of the course.
         course_id: of the course; empty where nothing was handed in at its desk.
+        root: folder of the course, which has the policies of then; None for none.
 
     Raises:
         GradebookError: there is no gradebook, or it cannot be used.
@@ -90,6 +97,7 @@ def history(
             )
             regraded.append(Event(one.signed.done_at, one.signed.person, what, one.signed.why))
     batches = batches_by_time(book.engine)
+    changed = {} if root is None else changed_by_attempt(root, attempts, book.undone())
     numbers = _numbers(attempts, taken)
     published: list[Event] = []
     for told in publications(book):
@@ -111,7 +119,7 @@ def history(
     given = [tuple(_of_waiver(one, student) for one in waived.get(id_, ())) for id_ in ids]
     return _by_time(
         regraded,
-        *_of_attempts(attempts, numbers, batches),
+        *_of_attempts(attempts, numbers, batches, changed),
         *marks.values(),
         published,
         *given,
@@ -222,6 +230,7 @@ def _of_attempts(
     attempts: Sequence[Attempt],
     numbers: Mapping[tuple[str, int], int],
     batches: Mapping[datetime, GradedBatch],
+    changed: Mapping[tuple[str, int], Sequence[PolicyLine]],
 ) -> Iterable[Sequence[Event]]:
     """Tell what was found of each work at first, and each time when it was graded otherwise.
 
@@ -240,6 +249,7 @@ def _of_attempts(
             result=_result(one),
         )
         known.add(one.digest)
+        what = changed_since_said(what, changed.get(one.key, ()))
         if one.kept_as:
             what = message("{event} (As {student}.)", event=what, student=one.kept_as)
         found.setdefault(one.kept_as, []).append(Event(one.graded_at, person, what, why))

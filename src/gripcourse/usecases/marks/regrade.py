@@ -3,6 +3,7 @@
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from datetime import datetime
+from pathlib import Path
 
 from gripcourse.batch.comparing import Comparing
 from gripcourse.batch.context import GradingContext
@@ -38,6 +39,7 @@ from gripcourse.text.words import Message, message
 from gripcourse.usecases.marks.answered import with_answers
 from gripcourse.usecases.marks.batch_wish import BatchWish
 from gripcourse.usecases.marks.gradebook import with_kept_versions
+from gripcourse.usecases.marks.kept_policies import PolicyChange, keep_policy, policy_changes
 from gripcourse.usecases.marks.mark import existing_gradebook
 from gripcourse.usecases.marks.opening import by_word
 
@@ -53,6 +55,8 @@ class Regrading:
         missing: works of the gradebook whose file is not in the batch.
         incidents: what failed on our side, each with its trace.
         joins: which ids stood for one person, oldest first.
+        policies: that works were graded by, each with what differs today.
+        root: folder of the course; None where there is nothing to apply.
     """
 
     changes: tuple[WorkChange, ...]
@@ -61,6 +65,8 @@ class Regrading:
     missing: tuple[StudentWork, ...]
     incidents: tuple[str, ...]
     joins: tuple[Join, ...] = ()
+    policies: tuple[PolicyChange, ...] = ()
+    root: Path | None = None
 
     @property
     def to_apply(self) -> tuple[WorkChange, ...]:
@@ -135,7 +141,8 @@ def regrade(  # noqa: PLR0913 (the last ones are what everybody leaves as they a
     )  # fmt: skip
     by_student = works_of(book.standing())
     works = {(one.student, one.digest): one for all_ in by_student.values() for one in all_}
-    versions = fingerprints(context.course.root)
+    root = context.course.root
+    versions = fingerprints(root)
     fresh = {
         # Read once: they are looked at again and again.
         (one.student, one.digest): replace(one, results=tuple(one.results))
@@ -143,6 +150,7 @@ def regrade(  # noqa: PLR0913 (the last ones are what everybody leaves as they a
         if one is not None
     }
     marked, told = _marked(book, {student for student, _ in works}), published_works(book)
+    graded_by = (work.attempt.fingerprints.policy for key, work in works.items() if key in fresh)
     return Regrading(
         changes=tuple(
             change_of(
@@ -159,6 +167,8 @@ def regrade(  # noqa: PLR0913 (the last ones are what everybody leaves as they a
         missing=tuple(work for key, work in works.items() if key not in fresh),
         incidents=tuple(one.incident for one in graded if one.incident),
         joins=context.joins,
+        policies=policy_changes(root, graded_by),
+        root=root,
     )
 
 
@@ -188,6 +198,8 @@ def apply_regrade(
         remedy = message("Nothing was changed. Leave this work out, or say that it may get worse.")
         raise UsageError(_worse(one.work.student, one.before, one.after, remedy) for one in lowered)
     book = existing_gradebook(place, regrading.joins)
+    if regrading.root is not None:
+        keep_policy(regrading.root)
     return keep_regrade(book, [one.new for one in regrading.to_apply], signed)
 
 

@@ -137,6 +137,7 @@ def show_regrading(call: DeskCall) -> RegradingResult:
         works=tuple(map(_changed, found.to_apply)),
         failed=found.failed,
         missing=tuple(one.student for one in found.missing),
+        policies=found.policies,
     )
 
 

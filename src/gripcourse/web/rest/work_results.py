@@ -7,6 +7,7 @@ from typing import ClassVar
 from gripcourse.access.desk.model import GradedBatch
 from gripcourse.gradebook.regrade import Shift
 from gripcourse.usecases.grading.progress import BatchProgress
+from gripcourse.usecases.marks.kept_policies import PolicyChange
 
 
 @dataclass(frozen=True, slots=True)
@@ -215,6 +216,7 @@ class RegradingResult:
         works: that would get other results.
         failed: files that could not be graded.
         missing: students with a work that was graded and is not here.
+        policies: that works were graded by, each with what differs today.
     """
 
     SCHEMA: ClassVar[str] = "gripcourse/regrading/1"
@@ -226,6 +228,7 @@ class RegradingResult:
     works: tuple[ChangedWorkResult, ...]
     failed: tuple[str, ...]
     missing: tuple[str, ...]
+    policies: tuple[PolicyChange, ...]
 
 
 @dataclass(frozen=True, slots=True)
