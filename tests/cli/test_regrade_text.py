@@ -12,8 +12,8 @@ from gripcourse.batch.graded import Graded
 from gripcourse.batch.one_file import grade_file
 from gripcourse.cli.demo.students import correct
 from gripcourse.cli.regrade_text import regrade_text
+from gripcourse.gradebook.policy_changes import PolicyLine
 from gripcourse.gradebook.regrade import ChangedPart
-from gripcourse.policy.changes import PolicyLine
 from gripcourse.text.words import Words
 from gripcourse.usecases.marks.gradebook import keep
 from gripcourse.usecases.marks.kept_policies import PolicyChange

@@ -13,7 +13,7 @@ from gripcourse.batch.context import GradingContext
 from gripcourse.batch.graded import Graded
 from gripcourse.batch.one_file import grade_file
 from gripcourse.gradebook.journal import Signed
-from gripcourse.policy.changes import PolicyLine
+from gripcourse.gradebook.policy_changes import PolicyLine
 from gripcourse.usecases.marks.gradebook import keep
 from gripcourse.usecases.marks.history import history
 from gripcourse.usecases.marks.regrade import Regrading, apply_regrade, regrade, undo_regrade

@@ -13,10 +13,10 @@ from gripcourse.errors import Problem, UsageError
 from gripcourse.gradebook.joined import family
 from gripcourse.gradebook.journal import publications, regrades, waivers
 from gripcourse.gradebook.model import Attempt, GradebookEntry
+from gripcourse.gradebook.policy_changes import PolicyLine
 from gripcourse.gradebook.timing import Waiver
 from gripcourse.gradebook.works import in_order, points_of, works_of
 from gripcourse.issuing.withdrawal import Withdrawal, joins_of, persons_of
-from gripcourse.policy.changes import PolicyLine
 from gripcourse.text.shown import shown
 from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.words import Message, message

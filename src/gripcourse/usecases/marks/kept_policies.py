@@ -13,8 +13,8 @@ from typing import Final
 
 from gripcourse.gradebook.fingerprint import fingerprints, policy_files
 from gripcourse.gradebook.model import Attempt
+from gripcourse.gradebook.policy_changes import PolicyLine, changed_lines
 from gripcourse.machine.kept_files import keep_files, kept_files
-from gripcourse.policy.changes import PolicyLine, changed_lines
 
 _KIND: Final = "policies"
 

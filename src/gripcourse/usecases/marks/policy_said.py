@@ -3,7 +3,7 @@
 from collections.abc import Iterable, Sequence
 from typing import Final
 
-from gripcourse.policy.changes import PolicyLine
+from gripcourse.gradebook.policy_changes import PolicyLine
 from gripcourse.text.words import Message, counted, message
 from gripcourse.usecases.marks.kept_policies import PolicyChange
 

@@ -2,7 +2,7 @@
 
 import pytest
 
-from gripcourse.policy.changes import PolicyLine, changed_lines
+from gripcourse.gradebook.policy_changes import PolicyLine, changed_lines
 
 FILE = "grader/policy.toml"
 BEFORE = """\
