@@ -89,7 +89,8 @@ def test_a_regrade_from_showing_to_undoing(gripcourse: Command, term: Term, tmp_
     assert all(
         one in shown.out for one in ("s01", "the policy", "(kinematic_diagram): ", "1 unchanged")
     )
-    assert "kinematic_diagram" not in gripcourse("regrade", *files, "--only", "raised").out
+    assert "quantity.kinematic_diagram 4 → 5" in shown.out
+    assert "(kinematic_diagram): " not in gripcourse("regrade", *files, "--only", "raised").out
 
     refused(gripcourse("regrade", *files, "--only", "raise"), "'raise'", "'raised'")
     refused(gripcourse("regrade", *files, "--apply"), "needs a reason")
