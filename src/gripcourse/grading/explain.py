@@ -23,7 +23,7 @@ from gripcourse.text.units import factor
 
 # Methods whose results agree so far cannot be told apart by any number.
 _ALIKE: Final = 1e-6
-_STANDARD_GRAVITY: Final = 9.80665  # m/s², by definition
+_OF_WEIGHT: Final = "kgf"  # the unit whose factor is the standard gravity
 # People compute from their own numbers; few take one of somebody else's that is right.
 _FROM_OWN, _FROM_REFERENCE = 0.9, 0.1
 _LATER: Final = 4  # answers that are asked
@@ -131,19 +131,21 @@ def _met_by_habit(
 def _met_by_gravity(comparison: Comparison, candidate: Candidate, furthest: float) -> float:
     """Return how well a force meets an answer that was divided by the gravity of the course.
 
-    A kilogram-force is the weight of a kilogram under 9.80665 m/s²; people compute with 9.81.
+    A kilogram-force is the weight of a kilogram under the standard gravity; people compute with
+    that of the course.
     """
     gravity = comparison.policy.slips.kinds.get(SlipKind.GRAVITY_LEFT_OUT)
     if candidate.kind != SlipKind.UNIT or gravity is None:
         return 0.0
-    decades = math.log10(factor(candidate.id.detail) / _STANDARD_GRAVITY)
+    standard = factor(_OF_WEIGHT)
+    decades = math.log10(factor(candidate.id.detail) / standard)
     if not math.isclose(decades, round(decades), abs_tol=_ALIKE):
         return 0.0
-    by_standard = scaled(candidate.formula.tree, _STANDARD_GRAVITY)
+    by_weight = scaled(candidate.formula.tree, standard)
     found = [0.0]
     for name in gravity.names:
         if name in comparison.plan.quantities:
-            tree = Operation("/", by_standard, Name(name))
+            tree = Operation("/", by_weight, Name(name))
             formula = Formula("", tree, candidate.formula.units)
             found.append(_met(comparison, comparison.near_own(formula, furthest)))
     return max(found)
