@@ -1,7 +1,7 @@
 """A command and all that it starts, looked at while it runs, and hardly disturbed by that.
 
-Finding a program's processes among all of a machine takes so long that, five times in a second, it
-is a twentieth of a processor: two workers that want both would be measured slower than they are.
+Finding a program's processes among all of a machine takes a share of a processor: two workers that
+want both would be measured slower than they are.
 """
 
 import os

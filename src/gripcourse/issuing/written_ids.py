@@ -5,6 +5,7 @@ import unicodedata
 from collections.abc import Iterable
 from typing import Final
 
+from gripcourse.text.shown import first_of
 from gripcourse.text.spelling import LOST_SIGN
 from gripcourse.text.words import Message, message
 from gripcourse.variants.model import Student
@@ -35,7 +36,7 @@ def written_note(ids: Iterable[tuple[str, str]]) -> tuple[Message, ...]:
         return ()
     said = message(
         "These ids name folders and are written without blanks and strokes: {ids}.",
-        ids=", ".join(changed[:_NAMED]) + (", …" if len(changed) > _NAMED else ""),
+        ids=first_of(changed, _NAMED),
     )
     return (said,)
 
@@ -48,6 +49,6 @@ def lost_note(students: Iterable[Student]) -> tuple[Message, ...]:
     said = message(
         "A letter of these names was lost when the list was saved: {names}. Save it again as"
         " “CSV UTF-8” or .xlsx.",
-        names=", ".join(names[:_NAMED]) + (", …" if len(names) > _NAMED else ""),
+        names=first_of(names, _NAMED),
     )
     return (said,)
