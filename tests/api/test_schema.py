@@ -10,7 +10,7 @@ from typing import Any
 import pytest
 
 import gripcourse as gc
-from gripcourse.api.schema import KINDS, write_result_schemas
+from gripcourse.api.schema import KINDS
 from gripcourse.errors import UsageError
 from gripcourse.exports.plain import json_schema
 from gripcourse.exports.report_result import (
@@ -21,6 +21,7 @@ from gripcourse.exports.report_result import (
     ReportResult,
 )
 from gripcourse.grading.model import Against, Decision, Outcome
+from gripcourse.usecases.authoring.schema import write_schemas
 
 DECISION = Decision(
     automatic=Outcome.WRONG,
@@ -173,7 +174,7 @@ def test_versions_are_unique() -> None:
 
 
 def test_the_schemas_of_results_can_be_had_as_files(tmp_path: Path) -> None:
-    written = write_result_schemas(tmp_path / "results")
-    assert len(written) == len(KINDS)
+    written = write_schemas(tmp_path, gc.schemas())
+    assert sum(one.parent.name == "results" for one in written) == len(KINDS)
     of_grades = json.loads((tmp_path / "results" / "grades.schema.json").read_text("utf-8"))
     assert of_grades == gc.schemas()["gripcourse/grades/1"]

@@ -58,7 +58,6 @@ FOR_EVERYBODY = {
     "usecases/measuring/virtual.py": "mistakes of students who do not exist",
     "usecases/authoring/init.py": "a new course; its key is made elsewhere",
     "variants/table.py": "a table of variants, without names",
-    "api/schema.py": "the keys of results, without any result",
     "simulation/record.py": "what students did who do not exist",
     "simulation/tolerance_policy.py": "a policy",
     "cli/demo/run.py": "an empty mark of the demo",

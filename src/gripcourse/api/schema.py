@@ -1,8 +1,6 @@
 """The versioned forms in which results leave and enter the program, as JSON Schema documents."""
 
-import json
 from collections.abc import Mapping
-from pathlib import Path
 from typing import Any, Final
 
 from gripcourse.api.results import (
@@ -15,7 +13,6 @@ from gripcourse.api.results import (
 from gripcourse.errors import Problem, UsageError
 from gripcourse.exports.plain import KEY, from_plain, json_schema
 from gripcourse.exports.report_result import GradesResult, ReportResult
-from gripcourse.machine.files import write_bytes
 from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.words import message
 
@@ -34,17 +31,6 @@ _BY_SCHEMA: Final[Mapping[str, type[Any]]] = {one.SCHEMA: one for one in KINDS}
 def schemas() -> dict[str, dict[str, Any]]:
     """Return the JSON Schema (2020-12) of every form, by its name, `gripcourse/report/1`."""
     return {name: json_schema(kind) for name, kind in _BY_SCHEMA.items()}
-
-
-def write_result_schemas(folder: Path) -> tuple[Path, ...]:
-    """Write the schema of every form, `report.schema.json`; return the files."""
-    folder.mkdir(parents=True, exist_ok=True)
-    written = []
-    for name, document in schemas().items():
-        path = folder / f"{name.split('/')[1]}.schema.json"
-        write_bytes(path, json.dumps(document, ensure_ascii=False, indent=1).encode())
-        written.append(path)
-    return tuple(written)
 
 
 def read_result(plain: object) -> Any:  # noqa: ANN401 (of the kind that it names)

@@ -223,10 +223,10 @@ def atlas(
 @app.command(cls=SpokenCommand)
 def schema(*, out: OutOption = Path("schema")) -> None:
     """Write the keys of a course's files and of results: JSON Schema, and a page to read."""
-    from gripcourse.api.schema import write_result_schemas
+    from gripcourse.api.schema import schemas
     from gripcourse.usecases.authoring.schema import write_schemas
 
-    for path in (*write_schemas(out), *write_result_schemas(out / "results")):
+    for path in write_schemas(out, schemas()):
         typer.echo(str(path))
 
 

@@ -1,8 +1,10 @@
 """The keys of all files of a course, for editors (JSON Schema) and for readers (a page)."""
 
 import json
+from collections.abc import Mapping
 from pathlib import Path
-from typing import Final
+from types import MappingProxyType
+from typing import Any, Final
 
 from gripcourse.course.errata import ERRATA
 from gripcourse.course.keys import (
@@ -61,16 +63,24 @@ FILE_KINDS: Final = (
 """Every kind of TOML file that an author writes."""
 
 
-def write_schemas(folder: Path) -> tuple[Path, ...]:
-    """Write the schema of each kind of file, and the page of all keys; return the files."""
-    folder.mkdir(parents=True, exist_ok=True)
+def write_schemas(
+    folder: Path, results: Mapping[str, Mapping[str, Any]] = MappingProxyType({})
+) -> tuple[Path, ...]:
+    """Write the schema of each kind of file, and the page of all keys; return the files.
+
+    Args:
+        folder: to write to.
+        results: schemas of results by their names, `gripcourse/report/1`; they are written to
+            `results/report.schema.json` below it.
+    """
+    files = {f"{one.name}.schema.json": json_schema(one.title, one.shape) for one in FILE_KINDS}
+    of_results = {f"results/{name.split('/')[1]}.schema.json": one for name, one in results.items()}
     contents = {
-        f"{kind.name}.schema.json": json.dumps(
-            json_schema(kind.title, kind.shape), ensure_ascii=False, indent=1
-        )
-        for kind in FILE_KINDS
+        name: json.dumps(one, ensure_ascii=False, indent=1)
+        for name, one in (files | of_results).items()
     }
     contents["keys.md"] = key_page(FILE_KINDS)
     for name, text in contents.items():
+        (folder / name).parent.mkdir(parents=True, exist_ok=True)
         write_bytes(folder / name, text.encode())
     return tuple(folder / name for name in contents)
