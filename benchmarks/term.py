@@ -1,10 +1,11 @@
 """What a whole group costs: processor, time and memory, on every kind of workers and databases.
 
-    python benchmarks/term.py --count 1000 10000 [--printed 200] [--only local cluster ...]
+    python benchmarks/term.py --count 1000 10000 [--printed 200] [--only local ...] [--times 5]
 
-For each number of works, without printing anything: one process and two, and again with nothing
-changed; a Dask cluster of a scheduler and two workers; PostgreSQL instead of SQLite (Debian's
-package, started here). Then as many as `--printed` with all their reports.
+For each number of works, without printing anything: one process and two, as often in turn as
+`--times` says, and again with nothing changed; a Dask cluster of a scheduler and two workers;
+PostgreSQL instead of SQLite (Debian's package, started here). Then as many as `--printed` with all
+their reports.
 
 Students are issued the variants of the course's table again and again; everybody answers rightly
 but for a few numbers. Works are made by putting answers into the bytes of issued workbooks: opening
@@ -18,6 +19,7 @@ import os
 import random
 import re
 import secrets
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -29,6 +31,7 @@ from dataclasses import dataclass, replace
 from datetime import date
 from importlib import import_module
 from pathlib import Path
+from statistics import median
 from time import perf_counter
 from xml.sax.saxutils import escape
 
@@ -70,24 +73,26 @@ def main() -> None:
     parser.add_argument("--count", nargs="*", type=int, default=WORKS)
     parser.add_argument("--printed", type=int, default=PRINTED)
     parser.add_argument("--only", nargs="*", choices=(*PARTS, PRINTING), default=(*PARTS, PRINTING))
+    parser.add_argument("--times", type=int, default=1, help="pairs of one process and two")
     arguments = parser.parse_args()
+    times = arguments.times
     failed = False
     for works in arguments.count:
         with made(works) as base:
             for name, measure in PARTS.items():
                 if name in arguments.only:
-                    failed |= not went_well(name, measure, base)
+                    failed |= not went_well(name, measure, base, times)
     if PRINTING in arguments.only and arguments.printed:
         with made(arguments.printed) as base:
             print("  with all reports", flush=True)
-            failed |= not went_well(PRINTING, printing, base)
+            failed |= not went_well(PRINTING, printing, base, times)
     sys.exit(failed)
 
 
-def went_well(name: str, measure: Callable[[Path], None], base: Path) -> bool:
+def went_well(name: str, measure: Callable[[Path, int], None], base: Path, times: int) -> bool:
     """Measure one part; a failure is said and takes no other part along."""
     try:
-        measure(base)
+        measure(base, times)
     except Exception:  # noqa: BLE001 (an hour of measuring is not lost for it)
         print(f"  {name} failed:\n{traceback.format_exc()}", flush=True)
         return False
@@ -105,32 +110,39 @@ def made(works: int) -> Iterator[Path]:
         yield base
 
 
-def grades_only(base: Path) -> None:
+def grades_only(base: Path, times: int) -> None:
     """Grade on this machine without printing anything."""
-    locally(base, ("--grades-only",))
+    locally(base, ("--grades-only",), times)
 
 
-def printing(base: Path) -> None:
+def printing(base: Path, times: int) -> None:
     """Grade on this machine and print all reports."""
-    locally(base, ())
+    locally(base, (), times)
 
 
-def locally(base: Path, more: Sequence[str]) -> None:
-    """Grade with one process and with two, and again what has not changed."""
-    one, two = (
-        told(f"{count} process{'es' if count > 1 else ''}", base, f"graded{count}", count, more)
-        for count in (1, WORKERS)
-    )
-    print(f"  {'ratio':<24} {one.seconds / two.seconds:7.2f}", flush=True)
-    # Beginning and end of a batch: what they take does not grow less with more processors.
-    idle = WORKERS * two.seconds - two.busy
-    print(f"  {'one processor waited':<24} {idle:7.1f} s of {two.seconds:.1f} s", flush=True)
-    print(f"  {'of programs apart':<24} {machine_ratio(base):7.2f}", flush=True)
+def locally(base: Path, more: Sequence[str], times: int) -> None:
+    """Grade with one process and with two, as often in turn, and again what has not changed."""
+    ratios, apart = list[float](), list[float]()
+    for _ in range(times):
+        one, two = (
+            told(f"{count} process{'es' if count > 1 else ''}", base, f"graded{count}", count, more)
+            for count in (1, WORKERS)
+        )
+        ratios.append(one.seconds / two.seconds)
+        print(f"  {'ratio':<24} {ratios[-1]:7.2f}", flush=True)
+        # Beginning and end of a batch: what they take does not grow less with more processors.
+        idle = WORKERS * two.seconds - two.busy
+        print(f"  {'one processor waited':<24} {idle:7.1f} s of {two.seconds:.1f} s", flush=True)
+        apart.append(machine_ratio(base))
+        print(f"  {'of programs apart':<24} {apart[-1]:7.2f}", flush=True)
+    if times > 1:
+        middle = f"{median(ratios):7.2f} of {median(apart):.2f} of programs apart"
+        print(f"  {f'median of {times} ratios':<24} {middle}", flush=True)
     again = told("again, nothing changed", base, f"graded{WORKERS}", WORKERS, more, afresh=False)
     print(f"  {'share of the first time':<24} {again.seconds / two.seconds:7.3f}", flush=True)
 
 
-def on_a_cluster(base: Path) -> None:
+def on_a_cluster(base: Path, _: int) -> None:
     """Grade with a scheduler and two workers of a thread each, all of them on this machine."""
     with cluster(base, WORKERS) as (address, pids):
         more = ("--grades-only", f"--cluster={address}")
@@ -139,7 +151,7 @@ def on_a_cluster(base: Path) -> None:
     print(f"  {'scheduler and workers':<24} peaks {peaks} MB", flush=True)
 
 
-def in_postgresql(base: Path) -> None:
+def in_postgresql(base: Path, _: int) -> None:
     """Grade with attempts in a server's database, which is started for that."""
     # A server of the tests, which start one already.
     sys.path.append(str(Path(__file__).parents[1] / "tests"))
@@ -262,6 +274,7 @@ def told(
     if afresh:
         private = base / "course" / "private" / "gradebook.sqlite"
         private.write_bytes((base / "issued.sqlite").read_bytes())
+        shutil.rmtree(base / out, ignore_errors=True)
     cost = graded(base, ["works", "--out", out, "--workers", str(workers), *more])
     said = f"{cost.seconds:7.1f} s, processor {cost.busy:7.1f} s, peak {cost.peak:5.0f} MB"
     said += f", of a worker {cost.workers:.0f} MB" if cost.workers else ""

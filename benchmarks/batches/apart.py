@@ -5,6 +5,7 @@ import subprocess
 import sys
 from collections.abc import Sequence
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from time import perf_counter
 
 APART = 150  # works of each of them
@@ -17,16 +18,22 @@ def machine_ratio(base: Path) -> float:
     works alone may be faster.
 
     Args:
-        base: folder with a `course` and the `works` of its students; some are copied beside them.
+        base: folder with a `course` and the `works` of its students; some are copied, for a while.
     """
-    (base / "apart").mkdir()
+    with TemporaryDirectory(dir=base) as folder:
+        return _ratio(Path(folder), base)
+
+
+def _ratio(folder: Path, base: Path) -> float:
+    shutil.copytree(base / "course", folder / "course")
+    (folder / "apart").mkdir()
     for file in sorted((base / "works").iterdir())[:APART]:
-        shutil.copy(file, base / "apart")
+        shutil.copy(file, folder / "apart")
     start = perf_counter()
-    wait_for([grading_apart(base, 0)])
+    wait_for([grading_apart(folder, 0)])
     alone = perf_counter() - start
     start = perf_counter()
-    wait_for([grading_apart(base, number) for number in (1, 2)])
+    wait_for([grading_apart(folder, number) for number in (1, 2)])
     return 2 * alone / (perf_counter() - start)
 
 
