@@ -2,10 +2,10 @@
 
     python benchmarks/term.py --count 1000 10000 [--printed 200] [--only local ...] [--times 5]
 
-For each number of works, without printing anything: one process and two, as often in turn as
-`--times` says, and again with nothing changed; a Dask cluster of a scheduler and two workers;
-PostgreSQL instead of SQLite (Debian's package, started here). Then as many as `--printed` with all
-their reports.
+For each number of works, without printing anything: one process and two, a second each in turn, as
+often as `--times` says, and again with nothing changed; a Dask cluster of a scheduler and two
+workers; PostgreSQL instead of SQLite (Debian's package, started here). Then as many as `--printed`
+with all their reports.
 
 Students are issued the variants of the course's table again and again; everybody answers rightly
 but for a few numbers. Works are made by putting answers into the bytes of issued workbooks: opening
@@ -14,57 +14,27 @@ its own. Each line is printed as soon as it is measured, and what fails takes no
 """
 
 import argparse
-import io
-import os
-import random
-import re
-import secrets
-import shutil
-import subprocess
 import sys
 import tempfile
 import traceback
-import zipfile
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass, replace
-from datetime import date
+from functools import partial
 from importlib import import_module
 from pathlib import Path
 from statistics import median
 from time import perf_counter
-from xml.sax.saxutils import escape
 
-from batches.apart import machine_ratio
-from batches.watch import seen, wait_for_end
+from batches.apart import apart, ratio_apart
+from batches.grading import Cost, Grading, Start, alone, in_turn, own_folder
+from batches.works import hand_in
 from cluster import cluster
 
-from gripcourse.cli.demo.students import correct
-from gripcourse.course.load import load_course
-from gripcourse.course.model import Course
-from gripcourse.gradebook.fingerprint import fingerprints
-from gripcourse.issuing.allotment import Terms, extend
-from gripcourse.issuing.signature import KEY_BYTES, key_path, read_key
-from gripcourse.issuing.store import extend_register
 from gripcourse.machine.jobs.limits import peak_memory
-from gripcourse.machine.resources import course_root
-from gripcourse.simulation.write import Typed
-from gripcourse.solver.plan import plan_of
-from gripcourse.text.words import Words
-from gripcourse.usecases.authoring.init import init_course
-from gripcourse.variants.model import Issued, Student
-from gripcourse.variants.table import read_table
-from gripcourse.workbook.names import ANSWER, cell_name
-from gripcourse.workbook.write import answer_workbook
 
 WORKS = (1000, 10_000)
 PRINTED = 200
 WORKERS = 2
-WRONG = 3  # answers of each student
-SECONDS = 0.5  # between two looks at a command
-SEED = 26063
-_SHEET = re.compile(r'<sheet name="([^"]*)"[^>]*r:id="rId(\d+)"')
-_NAME = re.compile(r'<definedName name="([^"]*)">([^<]*)</definedName>')
 
 
 def main() -> None:
@@ -121,24 +91,24 @@ def printing(base: Path, times: int) -> None:
 
 
 def locally(base: Path, more: Sequence[str], times: int) -> None:
-    """Grade with one process and with two, as often in turn, and again what has not changed."""
-    ratios, apart = list[float](), list[float]()
+    """Grade with one process and with two in turn, and again what has not changed."""
+    ratios, of_apart = list[float](), list[float]()
     for _ in range(times):
-        one, two = (
-            told(f"{count} process{'es' if count > 1 else ''}", base, f"graded{count}", count, more)
-            for count in (1, WORKERS)
-        )
+        starts = [start_of(own_folder(base, f"by{count}"), count, more) for count in (1, WORKERS)]
+        one, two, first, others = in_turn([*([start] for start in starts), *apart(base)])
+        say("1 process", one)
+        say(f"{WORKERS} processes", two)
         ratios.append(one.seconds / two.seconds)
         print(f"  {'ratio':<24} {ratios[-1]:7.2f}", flush=True)
         # Beginning and end of a batch: what they take does not grow less with more processors.
         idle = WORKERS * two.seconds - two.busy
         print(f"  {'one processor waited':<24} {idle:7.1f} s of {two.seconds:.1f} s", flush=True)
-        apart.append(machine_ratio(base))
-        print(f"  {'of programs apart':<24} {apart[-1]:7.2f}", flush=True)
+        of_apart.append(ratio_apart(first, others))
+        print(f"  {'of programs apart':<24} {of_apart[-1]:7.2f}", flush=True)
     if times > 1:
-        middle = f"{median(ratios):7.2f} of {median(apart):.2f} of programs apart"
+        middle = f"{median(ratios):7.2f} of {median(of_apart):.2f} of programs apart"
         print(f"  {f'median of {times} ratios':<24} {middle}", flush=True)
-    again = told("again, nothing changed", base, f"graded{WORKERS}", WORKERS, more, afresh=False)
+    again = told("again, nothing changed", starts[-1])
     print(f"  {'share of the first time':<24} {again.seconds / two.seconds:7.3f}", flush=True)
 
 
@@ -146,7 +116,7 @@ def on_a_cluster(base: Path, _: int) -> None:
     """Grade with a scheduler and two workers of a thread each, all of them on this machine."""
     with cluster(base, WORKERS) as (address, pids):
         more = ("--grades-only", f"--cluster={address}")
-        told("Dask, 2 workers", base, "cluster", WORKERS, more)
+        told("Dask, 2 workers", start_of(own_folder(base, "cluster"), WORKERS, more))
         peaks = ", ".join(f"{peak(one):.0f}" for one in pids)
     print(f"  {'scheduler and workers':<24} peaks {peaks} MB", flush=True)
 
@@ -158,8 +128,9 @@ def in_postgresql(base: Path, _: int) -> None:
     postgres = import_module("support.postgres")
     with postgres.running() as server, server.database() as place:
         more = ("--grades-only", f"--gradebook={place}")
-        told("PostgreSQL, 2 processes", base, "postgresql", WORKERS, more)
-        told("again, nothing changed", base, "postgresql", WORKERS, more, afresh=False)
+        start = start_of(own_folder(base, "postgresql"), WORKERS, more)
+        told("PostgreSQL, 2 processes", start)
+        told("again, nothing changed", start)
 
 
 def peak(process: int) -> float:
@@ -167,142 +138,24 @@ def peak(process: int) -> float:
     return peak_memory(process) / 1e6
 
 
-def hand_in(base: Path, works: int) -> None:
-    """Issue a course to as many students, and let all of them answer."""
-    init_course(base / "course", secrets.token_bytes(KEY_BYTES), Words("en"))
-    course = load_course(base / "course")
-    drawn = read_table(course_root() / "variants" / "tables" / "main.csv", course)
-    variants = [replace(drawn[n % len(drawn)], id=f"v{n:05}") for n in range(works)]
-    students = [Student(f"u{n:05}", f"Student {n:05}", "A", "", "en", "") for n in range(works)]
-    key = read_key(key_path(course.root))
-    terms = Terms(key, date(2026, 9, 1), None, fingerprints(course.root).course)
-    issued = extend_register(
-        course.root, course.id, lambda register: extend(register, students, variants, terms)
-    )
-    private = base / "course" / "private" / "gradebook.sqlite"
-    (base / "issued.sqlite").write_bytes(private.read_bytes())
-    entries = issued.register.entries
-    blanks = [Blank.of(entry, course) for entry in entries[: len(drawn)]]
-    (base / "works").mkdir()
-    chance = random.Random(SEED)  # noqa: S311 (not for secrets)
-    for number, entry in enumerate(entries):
-        work = blanks[number % len(blanks)].filled(entry, chance)
-        (base / "works" / f"{entry.student.id}.xlsx").write_bytes(work)
-
-
-@dataclass(frozen=True, slots=True)
-class Blank:
-    """An issued workbook, taken apart: its members, where answers go, and the right ones."""
-
-    entry: Issued
-    members: Mapping[str, str]
-    places: Mapping[str, tuple[str, str]]
-    answers: Typed
-
-    @classmethod
-    def of(cls, entry: Issued, course: Course) -> "Blank":
-        """Make it for a student."""
-        plan = plan_of(course, entry.variant.composition)
-        with zipfile.ZipFile(io.BytesIO(answer_workbook(plan, entry, course, Words("en")))) as file:
-            members = {name: file.read(name).decode() for name in file.namelist()}
-        book = members["xl/workbook.xml"]
-        sheets = {name: f"xl/worksheets/sheet{number}.xml" for name, number in _SHEET.findall(book)}
-        named = dict(_NAME.findall(book))
-        answers = correct(plan, entry)
-        places = {}
-        for quantity in answers:
-            sheet, _, cell = named[cell_name(ANSWER, quantity)].rpartition("!")
-            places[quantity] = sheets[sheet.strip("'")], cell.replace("$", "")
-        return cls(entry, members, places, answers)
-
-    def filled(self, entry: Issued, chance: random.Random) -> bytes:
-        """Return the workbook of another student of the same numbers, filled in."""
-        numbers = [name for name, value in self.answers.items() if not isinstance(value, str)]
-        wrong = {name: chance.uniform(1.2, 9.0) for name in chance.sample(numbers, WRONG)}
-        members = dict(self.members)
-        for quantity, value in self.answers.items():
-            member, cell = self.places[quantity]
-            typed = value if isinstance(value, str) else float(value) * wrong.get(quantity, 1.0)
-            members[member] = _typed(members[member], cell, typed)
-        swaps = (
-            (self.entry.student.id, entry.student.id),
-            (self.entry.student.name, entry.student.name),
-            (self.entry.variant.id, entry.variant.id),
-            (self.entry.signature, entry.signature),
-        )
-        stream = io.BytesIO()
-        with zipfile.ZipFile(stream, "w", zipfile.ZIP_DEFLATED, compresslevel=1) as file:
-            for name, text in members.items():
-                for mine, theirs in swaps:
-                    text = text.replace(mine, theirs)  # noqa: PLW2901 (one swap after the other)
-                file.writestr(name, text)
-        return stream.getvalue()
-
-
-def _typed(sheet: str, cell: str, value: float | str) -> str:
-    """Put an answer into a blank cell of a sheet."""
-    begin = sheet.index(f'<c r="{cell}"')
-    end = sheet.index("/>", begin)
-    if isinstance(value, str):
-        content = f' t="inlineStr"><is><t>{escape(value)}</t></is></c>'
-    else:
-        content = f"><v>{value:.15g}</v></c>"
-    return sheet[:begin] + sheet[begin:end] + content + sheet[end + 2 :]
-
-
-@dataclass(frozen=True, slots=True)
-class Cost:
-    """What a command cost: seconds, seconds of the processor, peaks in MB.
-
-    Attributes:
-        seconds: by the clock.
-        busy: of the processor, of the command and all its workers, but for the last look's time.
-        peak: of the command itself, as it was seen last.
-        workers: of the largest of its workers.
-    """
-
-    seconds: float
-    busy: float
-    peak: float
-    workers: float
-
-
-def told(
-    title: str, base: Path, out: str, workers: int, more: Sequence[str], *, afresh: bool = True
-) -> Cost:
-    """Grade, and print what it costs; a gradebook of works that were kept before is another one."""
-    if afresh:
-        private = base / "course" / "private" / "gradebook.sqlite"
-        private.write_bytes((base / "issued.sqlite").read_bytes())
-        shutil.rmtree(base / out, ignore_errors=True)
-    cost = graded(base, ["works", "--out", out, "--workers", str(workers), *more])
-    said = f"{cost.seconds:7.1f} s, processor {cost.busy:7.1f} s, peak {cost.peak:5.0f} MB"
-    said += f", of a worker {cost.workers:.0f} MB" if cost.workers else ""
-    print(f"  {title:<24} {said}", flush=True)
+def told(title: str, start: Start) -> Cost:
+    """Grade, and print what it costs."""
+    cost = alone(start)
+    say(title, cost)
     return cost
 
 
-def graded(base: Path, words: Sequence[str]) -> Cost:
-    """Return what the command costs."""
-    call = [sys.executable, "-m", "gripcourse", "grade", *words, "--course", "course"]
-    start = perf_counter()
-    with (base / "said").open("wb") as said:
-        process = subprocess.Popen([*call, "--quiet"], cwd=base, stdout=said, stderr=said)  # noqa: S603 (ours)
-        # Not what the system says of it at its end: that begins with the peak of who started it.
-        own, of_workers, busy, ended = 0, 0, 0.0, 0
-        while not ended:
-            look = seen(process.pid)
-            # Nothing of one that has just ended.
-            own, of_workers = max(own, look.own), max(of_workers, look.of_workers)
-            busy = max(busy, look.busy)
-            wait_for_end(process.pid, SECONDS)
-            ended, status, used = os.wait4(process.pid, os.WNOHANG)
-    seconds = perf_counter() - start
-    process.returncode = os.waitstatus_to_exitcode(status)
-    if process.returncode not in {0, 1}:
-        raise RuntimeError((base / "said").read_text(encoding="utf-8"))
-    busy = max(busy, used.ru_utime + used.ru_stime)
-    return Cost(seconds, busy, own / 1e6, of_workers / 1e6)
+def say(title: str, cost: Cost) -> None:
+    """Print what commands cost."""
+    said = f"{cost.seconds:7.1f} s, processor {cost.busy:7.1f} s, peak {cost.peak:5.0f} MB"
+    said += f", of a worker {cost.workers:.0f} MB" if cost.workers else ""
+    print(f"  {title:<24} {said}", flush=True)
+
+
+def start_of(folder: Path, workers: int, more: Sequence[str]) -> Start:
+    """Return what starts to grade all works with the course of a folder."""
+    words = (str(folder.parent / "works"), "--out", "graded", "--workers", str(workers), *more)
+    return partial(Grading.of, folder, words)
 
 
 PARTS = {"local": grades_only, "cluster": on_a_cluster, "postgresql": in_postgresql}
