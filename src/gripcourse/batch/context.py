@@ -27,7 +27,8 @@ class GradingContext:
     Attributes:
         course, policy: what is graded by.
         register: entries by student id, of each student the last version.
-        whose: by file, the id of the student who handed it in, where a person says so.
+        whose: by file, the id of the student who handed it in, where a person says so; it may have
+            been joined with another's.
         office: the command that starts LibreOffice, for files that need it; None for none.
         recalculate: whether it computes all formulas once more, to be compared with what is stored.
         pattern: how paths say whose a file is; None where only platforms' own ways count.
@@ -40,8 +41,8 @@ class GradingContext:
             it is among the student's earlier versions.
         joins: the same with their moments, in the order in which they were joined.
         former: by student id, how the register wrote the person before.
-        answered: by file, the digest of what it held when it was graded before, and whose it was
-            then: who was asked need not answer again.
+        answered: by file, the digest of what it held when it was graded before, and under which id
+            that is kept: who was asked need not answer again.
     """
 
     course: Course
@@ -73,14 +74,15 @@ def handed_in_by(
         digest: of the bytes; empty where nobody could read them.
     """
     known, earlier = context.register, context.earlier
-    student = context.whose.get(file)
-    if student is not None:
-        return named_by_person(student, identity, known, earlier)
     pattern, joined, former = context.pattern, context.joined, context.former
+    named = context.whose.get(file)
+    if named is not None:
+        return named_by_person(joined.get(named, named), identity, known, earlier, named)
     found = identify(file, identity, known, pattern, earlier, joined, former=former)
     held, said = context.answered.get(file, ("", ""))
-    if found.issued is None and digest and held == digest and said in known:
-        return named_by_person(said, identity, known, earlier)
+    student = joined.get(said, said)
+    if found.issued is None and digest and held == digest and student in known:
+        return named_by_person(student, identity, known, earlier, said)
     return found
 
 

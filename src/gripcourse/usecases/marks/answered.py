@@ -28,18 +28,16 @@ def with_answers(context: GradingContext, place: str, files: Iterable[Readable])
     """
     if not exists(place):
         return context
-    before = _whose(open_gradebook(place).files(), context.joined)
+    before = _whose(open_gradebook(place).files())
     names = ((shown_name(file), _end(shown_name(file))) for file in files)
     return replace(context, answered={name: before[end] for name, end in names if end in before})
 
 
 def _whose(
-    attempts: Iterable[tuple[str, str, str]], joined: Mapping[str, str]
+    attempts: Iterable[tuple[str, str, str]],
 ) -> Mapping[tuple[str, ...], tuple[str, str]]:
-    """Return digest and student by the end of a path; of several the last one."""
-    return {
-        _end(file): (digest, joined.get(student, student)) for student, file, digest in attempts
-    }
+    """Return digest and id by the end of a path; of several the last one."""
+    return {_end(file): (digest, student) for student, file, digest in attempts}
 
 
 def _end(file: str) -> tuple[str, ...]:
