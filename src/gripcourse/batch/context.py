@@ -41,8 +41,8 @@ class GradingContext:
             it is among the student's earlier versions.
         joins: the same with their moments, in the order in which they were joined.
         former: by student id, how the register wrote the person before.
-        answered: by file, the digest of what it held when it was graded before, and under which id
-            that is kept: who was asked need not answer again.
+        answered: by file and by the digest of what it held when it was graded before, the id under
+            which that is kept: who was asked need not answer again.
     """
 
     course: Course
@@ -59,7 +59,7 @@ class GradingContext:
     joined: Mapping[str, str] = field(default_factory=dict)
     joins: tuple[Join, ...] = ()
     former: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
-    answered: Mapping[str, tuple[str, str]] = field(default_factory=dict)
+    answered: Mapping[str, Mapping[str, str]] = field(default_factory=dict)
 
 
 def handed_in_by(
@@ -79,9 +79,9 @@ def handed_in_by(
     if named is not None:
         return named_by_person(joined.get(named, named), identity, known, earlier, named)
     found = identify(file, identity, known, pattern, earlier, joined, former=former)
-    held, said = context.answered.get(file, ("", ""))
+    said = context.answered.get(file, {}).get(digest, "")
     student = joined.get(said, said)
-    if found.issued is None and digest and held == digest and student in known:
+    if found.issued is None and digest and student in known:
         return named_by_person(student, identity, known, earlier, said)
     return found
 

@@ -30,13 +30,13 @@ class KeptReports:
     Attributes:
         folder: of these reports alone, named after all that a report is made from but its file.
         whose: by file, the student who handed it in, where a person says so.
-        answered: by file, the digest of what it held before, and whose it was then.
+        answered: by file and by the digest of what it held before, whose it was then.
         written: the file of what this run keeps, once there is anything.
     """
 
     folder: Path
     whose: Mapping[str, str]
-    answered: Mapping[str, tuple[str, str]] = field(default_factory=dict)
+    answered: Mapping[str, Mapping[str, str]] = field(default_factory=dict)
     written: list[RecordsFile] = field(default_factory=list)
 
     def of(self, files: Sequence[Readable]) -> Iterator[tuple[int, Report]]:
@@ -111,8 +111,8 @@ class KeptReports:
 
     def _answer(self, name: str, digest: str) -> str | None:
         """Return by what an earlier word for whose a file is is kept; None where there is none."""
-        held, student = self.answered.get(name, ("", ""))
-        return f"before: {student}" if student and held == digest else None
+        student = self.answered.get(name, {}).get(digest)
+        return f"before: {student}" if student else None
 
 
 def _key(name: str, digest: str, said: str | None) -> bytes:

@@ -91,3 +91,18 @@ def test_another_work_under_the_same_name_is_asked_about(
     elsewhere = tmp_path / "s02" / "work.xlsx"
     issued.hand_in("s01", correct, elsewhere)
     assert graded_again(issued, place, elsewhere).student == ""
+
+
+def test_a_work_that_lies_under_its_name_again_is_still_known(
+    issued: "Classroom", tmp_path: Path
+) -> None:
+    """A platform calls what two students sent by the same name, one download after the other."""
+    place, file = str(tmp_path / "gradebook.sqlite"), tmp_path / "s02.xlsx"
+    first = issued.hand_in("s01", correct, tmp_path / "first.xlsx").read_bytes()
+    second = issued.hand_in("s03", correct, tmp_path / "second.xlsx").read_bytes()
+    for content, student in ((first, "s01"), (second, "s03")):
+        file.write_bytes(content)
+        graded_again(issued, place, file, f"s02.xlsx={student}")
+    for content, student in ((first, "s01"), (second, "s03"), (first, "s01")):
+        file.write_bytes(content)
+        assert graded_again(issued, place, file).student == student

@@ -35,9 +35,15 @@ def with_answers(context: GradingContext, place: str, files: Iterable[Readable])
 
 def _whose(
     attempts: Iterable[tuple[str, str, str]],
-) -> Mapping[tuple[str, ...], tuple[str, str]]:
-    """Return digest and id by the end of a path; of several the last one."""
-    return {_end(file): (digest, student) for student, file, digest in attempts}
+) -> Mapping[tuple[str, ...], Mapping[str, str]]:
+    """Return ids by the end of a path and the digest of the bytes; of several the last one.
+
+    A path may hold other bytes each time, and those of before once more.
+    """
+    found: dict[tuple[str, ...], dict[str, str]] = {}
+    for student, file, digest in attempts:
+        found.setdefault(_end(file), {})[digest] = student
+    return found
 
 
 def _end(file: str) -> tuple[str, ...]:
