@@ -9,6 +9,7 @@ from typing import Final
 from gripcourse.course.composition import Composition
 from gripcourse.course.model import Course
 from gripcourse.grading.identify import HandedIn, identify, named_by_person
+from gripcourse.grading.known_by import KnownBy
 from gripcourse.grading.path_pattern import PathPattern
 from gripcourse.issuing.withdrawal import Join
 from gripcourse.policy.model import Policy
@@ -43,6 +44,7 @@ class GradingContext:
         former: by student id, how the register wrote the person before.
         answered: by file and by the digest of what it held when it was graded before, the id under
             which that is kept: who was asked need not answer again.
+        said: the same of what a person said it is, which goes before the name of a file.
     """
 
     course: Course
@@ -60,6 +62,7 @@ class GradingContext:
     joins: tuple[Join, ...] = ()
     former: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
     answered: Mapping[str, Mapping[str, str]] = field(default_factory=dict)
+    said: Mapping[str, Mapping[str, str]] = field(default_factory=dict)
 
 
 def handed_in_by(
@@ -79,10 +82,12 @@ def handed_in_by(
     if named is not None:
         return named_by_person(joined.get(named, named), identity, known, earlier, named)
     found = identify(file, identity, known, pattern, earlier, joined, former=former)
-    said = context.answered.get(file, {}).get(digest, "")
-    student = joined.get(said, said)
-    if found.issued is None and digest and student in known:
-        return named_by_person(student, identity, known, earlier, said)
+    by_name = found.known_by is KnownBy.FILE_NAME
+    for before, counts in ((context.said, by_name), (context.answered, False)):
+        id_ = before.get(file, {}).get(digest, "") if digest else ""
+        student = joined.get(id_, id_)
+        if (found.issued is None or counts) and student in known:
+            return named_by_person(student, identity, known, earlier, id_)
     return found
 
 

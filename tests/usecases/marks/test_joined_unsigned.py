@@ -8,11 +8,11 @@ has hardly a point.
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-import openpyxl
 import pytest
 
 from gripcourse.usecases.marks.mark import existing_gradebook
 from support.office import Office, two_works
+from support.unsigned import leave_unsigned
 
 if TYPE_CHECKING:
     from support.classroom import Classroom
@@ -24,14 +24,7 @@ def unsigned(issued: "Classroom", tmp_path_factory: pytest.TempPathFactory) -> d
     folder = tmp_path_factory.mktemp("inbox")
     works = two_works(issued, folder)
     for path in works.values():
-        book = openpyxl.load_workbook(path)
-        for sheet in book.worksheets:
-            if sheet.sheet_state != "visible":
-                book.remove(sheet)
-        book.properties = openpyxl.packaging.core.DocumentProperties()
-        for name in list(book.custom_doc_props.names):
-            del book.custom_doc_props[name]
-        book.save(path)
+        leave_unsigned(path)
     return works
 
 
