@@ -26,7 +26,7 @@ NOTHING: Final[Mapping[str, str]] = MappingProxyType({})
 
 
 @dataclass(frozen=True, slots=True)
-class Word:
+class WhoseWord:
     """That a person said whose a file is.
 
     Attributes:
@@ -61,7 +61,7 @@ def students_by_file(said: Iterable[tuple[str, str, str]]) -> dict[End, dict[str
     return found
 
 
-def words_of(book: Gradebook) -> tuple[Word, ...]:
+def words_of(book: Gradebook) -> tuple[WhoseWord, ...]:
     """Return all that was said, oldest first.
 
     Raises:
@@ -70,7 +70,7 @@ def words_of(book: Gradebook) -> tuple[Word, ...]:
     return tuple(word for _, word in _numbered(book))
 
 
-def keep_words(book: Gradebook, words: Iterable[Word]) -> tuple[Word, ...]:
+def keep_words(book: Gradebook, words: Iterable[WhoseWord]) -> tuple[WhoseWord, ...]:
     """Keep what was said; what counts just so already is not kept twice.
 
     Returns:
@@ -81,7 +81,7 @@ def keep_words(book: Gradebook, words: Iterable[Word]) -> tuple[Word, ...]:
     """
     wanted = tuple(words)
 
-    def fresh() -> tuple[tuple[int, Word], ...]:
+    def fresh() -> tuple[tuple[int, WhoseWord], ...]:
         known = _numbered(book)
         last = students_by_file((one.student, one.file, one.digest) for _, one in known)
         new = [
@@ -91,22 +91,22 @@ def keep_words(book: Gradebook, words: Iterable[Word]) -> tuple[Word, ...]:
         ]
         return tuple(zip(count(known[-1][0] + 1 if known else 1), new, strict=False))
 
-    def rows_of(found: tuple[tuple[int, Word], ...]) -> Writing:
+    def rows_of(found: tuple[tuple[int, WhoseWord], ...]) -> Writing:
         return [(schema.words, [_row(number, word) for number, word in found])]
 
     return tuple(word for _, word in book.add(fresh, rows_of)) if wanted else ()
 
 
-def _numbered(book: Gradebook) -> tuple[tuple[int, Word], ...]:
+def _numbered(book: Gradebook) -> tuple[tuple[int, WhoseWord], ...]:
     question = select(schema.words).order_by(schema.words.c.number)
     with refusals_named(book.place), book.engine.connect() as connection:
         return tuple(
-            (row.number, Word(row.file, row.digest, row.student, in_utc(row.said_at)))
+            (row.number, WhoseWord(row.file, row.digest, row.student, in_utc(row.said_at)))
             for row in connection.execute(question)
         )
 
 
-def _row(number: int, word: Word) -> Row:
+def _row(number: int, word: WhoseWord) -> Row:
     return {
         "number": number,
         "file": word.file,

@@ -7,7 +7,14 @@ from datetime import datetime
 from gripcourse.batch.context import GradingContext
 from gripcourse.batch.graded import Graded, reports_of
 from gripcourse.gradebook.store import Gradebook, open_gradebook
-from gripcourse.gradebook.words import End, Word, end_of, keep_words, students_by_file, words_of
+from gripcourse.gradebook.words import (
+    End,
+    WhoseWord,
+    end_of,
+    keep_words,
+    students_by_file,
+    words_of,
+)
 from gripcourse.machine.content import Readable, shown_name
 from gripcourse.machine.database.home import exists
 
@@ -57,7 +64,7 @@ def keep_said(
         keep_words(
             book,
             (
-                Word(one.file, one.digest, context.whose[one.file], now)
+                WhoseWord(one.file, one.digest, context.whose[one.file], now)
                 for one in reports_of(graded)
                 if one.digest and one.file in context.whose
             ),
