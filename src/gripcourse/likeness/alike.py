@@ -72,7 +72,8 @@ def _keep_alike(
     pooled, part, owners = asked.pooled, compared[0].part, compared[0].owners
     pairs = either_likely(asked, compared)
     row, other = np.divmod(pairs, owners)
-    pairs = pairs[pooled.own[part.first + row] != pooled.own[first + other]]
+    mine, theirs = pooled.own[part.first + row], pooled.own[first + other]
+    pairs = pairs[pooled.person[mine] != pooled.person[theirs]]
     each = np.stack([log_odds(one, pairs, asked.answers) for one in compared])
     logs = of_all(each)
     told = logs >= asked.least
