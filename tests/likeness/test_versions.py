@@ -98,6 +98,14 @@ def test_two_works_of_one_student_on_two_versions_are_not_compared() -> None:
     assert find_evidence(works, TWICE, RULE) == ()
 
 
+def test_two_works_of_one_student_make_a_mistake_no_commoner() -> None:
+    wrong = np.array([777.0, 33.3, 5.55, 9.99, 44.4, 123.0])
+    copy, first = work("s07", wrong, TABLE[7]), work("s01", wrong, CORRECTED, REPLACED)
+    for others in ([first], [first, work("s01", wrong, TABLE[1])]):
+        found = find_evidence([copy, *others], TWICE, RULE)
+        assert ("s07", "s01") in {one.students for one in found}
+
+
 def test_a_mistake_is_measured_by_the_version_that_the_work_was_made_for() -> None:
     """Two who err by the same factor where they have the same right numbers prove little."""
     wrong = CORRECTED * [2.0, 3.0, 0.5, 1.7, 4.0, 0.3]

@@ -74,6 +74,7 @@ class ComparisonPool:
         own: row of each submission's variant in the tables of issued values.
         issued: these tables.
         person: (rows of these tables,); the first row of the same student.
+        submitter: (submissions,); likewise of each.
         variants: how many rows of other students all submissions are compared with.
         spread: of their values.
         works: the numbers, the submissions of the first table before those of the second.
@@ -84,6 +85,7 @@ class ComparisonPool:
     own: Ints
     issued: IssuedValues
     person: Ints
+    submitter: Ints
     variants: int
     spread: Spread
     works: Sequence[PooledWorks]
@@ -161,6 +163,7 @@ def pool(
         own=own,
         issued=issued,
         person=versions.person,
+        submitter=versions.person[own],
         variants=versions.variants_of_others(own),
         spread=Spread.of(issued.values),
         works=tables,

@@ -94,8 +94,7 @@ def _keep_taken(
     pooled, owners = asked.pooled, asked.pooled.issued.owners
     pairs = either_likely(asked, compared)
     row, owner = np.divmod(pairs, compared[0].owners)
-    person = pooled.person[pooled.own[part.first + row]]
-    other = pooled.person[first + owner] != person
+    other = pooled.person[first + owner] != pooled.submitter[part.first + row]
     row, owner, pairs = row[other], owner[other], pairs[other]
     each = np.stack([log_odds(one, pairs, asked.answers) for one in compared])
     logs = of_all(each)
