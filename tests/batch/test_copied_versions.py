@@ -204,6 +204,14 @@ def test_what_was_kept_before_somebody_was_issued_to_again_is_not_used(
     assert codes([copy], reissued, kept) == {"s04": {("other_variant", "s02")}}
 
 
+def test_other_numbers_of_a_replaced_version_are_other_rows(reissued: GradingContext) -> None:
+    first, _ = versions(reissued)
+    other = replace(first, variant=moved(first.variant, 1.01))
+    changed = replace(reissued, earlier={"s02": (other,)})
+    assert ComparedVersions.of(changed).about != ComparedVersions.of(reissued).about
+    assert ComparedVersions.of(replace(reissued)).about == ComparedVersions.of(reissued).about
+
+
 def test_what_is_solved_ahead_serves_whichever_version_was_handed_in(
     reissued: GradingContext, plan: Plan, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
