@@ -5,8 +5,9 @@ comparing with the reference and with each formula at the student's own numbers.
 """
 
 from collections import defaultdict
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 
 import numpy as np
 import pytest
@@ -200,6 +201,12 @@ def school_of(course: Course, owned: Sequence[tuple[str, Variant]]) -> School:
         answered = tuple(one.id for one in plan.answered)
         rooms.append(Room(plan, tuple(student for student, _ in members), answered, given))
     return School(issued_values(course, owned), tuple(rooms))
+
+
+@pytest.fixture(scope="session")
+def school_of_all(course: Course) -> Callable[[Sequence[tuple[str, Variant]]], School]:
+    """Make a school of students with their variants."""
+    return partial(school_of, course)
 
 
 @pytest.fixture(scope="session")

@@ -76,7 +76,7 @@ def test_a_variant_is_computed_by_the_declarations_that_it_was_judged_by(
     one = variants[0]
     kept = replace(course, schemes={one.scheme: course.schemes[one.scheme]})
     today = replace(course, schemes={})
-    issued = issued_values(today, [("a", one), ("b", one)], {"a": kept})
+    issued = issued_values(today, [("a", one), ("b", one)], {0: kept})
     [table] = issued.values
     assert set(table.place[0]) == {0}
     [alone] = issued_values(course, [("a", one)]).values

@@ -10,6 +10,7 @@ from gripcourse.course.composition import Composition
 from gripcourse.course.model import Course
 from gripcourse.grading.identify import HandedIn, identify, named_by_person
 from gripcourse.grading.known_by import KnownBy
+from gripcourse.grading.made_for import is_of_other_declarations
 from gripcourse.grading.path_pattern import PathPattern
 from gripcourse.issuing.withdrawal import Join
 from gripcourse.policy.model import Policy
@@ -89,6 +90,17 @@ def handed_in_by(
         if (found.issued is None or counts) and student in known:
             return named_by_person(student, identity, known, earlier, id_)
     return found
+
+
+def declarations_of(issued: Issued, context: GradingContext) -> str:
+    """Return the fingerprint of the declarations that a version is judged by; empty for today's.
+
+    A version that another one by other declarations replaced is judged by its own, where they were
+    kept; everything else by today's.
+    """
+    last = context.register.get(issued.student.id, issued)
+    own = issued.declarations if is_of_other_declarations(issued, last) else ""
+    return own if own in context.declared else ""
 
 
 def likely_composition(file: str, context: GradingContext) -> Composition | None:

@@ -2,25 +2,24 @@
 
 import traceback
 from array import array
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
+from itertools import chain
 
-from gripcourse.batch.context import GradingContext
+from gripcourse.batch.compared_versions import ComparedVersions, JudgedBy, issued_again, judged_by
+from gripcourse.batch.context import GradingContext, declarations_of
 from gripcourse.batch.graded import Changes, Graded, changed, reports_of, with_reports
 from gripcourse.batch.kept_reports import FlagsOf, KeptReports
+from gripcourse.errors import UsageError
 from gripcourse.grading.made_for import versions_of
 from gripcourse.grading.model import Report
 from gripcourse.likeness.evidence import find_evidence
 from gripcourse.likeness.flags import flags_by_student
 from gripcourse.likeness.issued import issued_values, solved_ahead, solved_anew
 from gripcourse.likeness.model import Evidence
-from gripcourse.likeness.works import work_of
-from gripcourse.machine.shelf import Viewed
-from gripcourse.solver.plan import make_plan
+from gripcourse.solver.plan import plan_of
 from gripcourse.text.words import Texts
-from gripcourse.variants.model import Issued, Variant
-from gripcourse.workbook.names import AUTHOR
 
 
 @dataclass(frozen=True, slots=True)
@@ -52,8 +51,10 @@ def like_others(
         return flags_by_student(found, _titles(context))
 
     try:
-        digests = (one.digest for one in graded)
-        return Alike(find() if kept is None else kept.flags_of(digests, find))
+        if kept is None:
+            return Alike(find())
+        digests = chain((one.digest for one in graded), [issued_again(context)])
+        return Alike(kept.flags_of(digests, find))
     except Exception:  # noqa: BLE001 (ours: the marks stand without this evidence)
         return Alike({}, f"looking for likeness:\n{traceback.format_exc()}")
 
@@ -100,28 +101,23 @@ def evidence_of(
     judged = _Judged.of(reports, context)
     if not judged.places:
         return ()
-    works = (
-        work_of(report, judged.issued_to(report.student, context), AUTHOR)
-        for report in (reports[place] for place in judged.places)
-    )
-
-    declared = {owner: context.declared[name] for owner, name in judged.by.items()}
-    tables = solved_anew if kept is None else kept.issued_values(judged.about)
-    values = issued_values(context.course, judged.variants(context), declared, tables)
+    versions = ComparedVersions.of(context, judged.by)
+    works = (versions.work(reports[place]) for place in judged.places)
+    tables = solved_anew if kept is None else kept.issued_values(versions.about)
+    values = issued_values(context.course, versions.variants, versions.declared, tables)
     return find_evidence(works, values, context.policy.likeness)
 
 
 def solve_ahead(context: GradingContext, kept: KeptReports) -> Iterator[None]:
     """Solve what works will be compared with, some variants at each step, and keep it.
 
-    So it is done while workers judge. Where somebody handed in a work of an earlier version, all is
-    solved again by who compares; so it is where this fails, which is told there.
+    So it is done while workers judge. Where a work was judged by declarations that are not its
+    version's, all is solved again by who compares; so it is where this fails, which is told there.
     """
-    nobody = _Judged(array("q"), {}, {})
     with suppress(Exception):
-        yield from solved_ahead(
-            context.course, nobody.variants(context), kept.issued_values(nobody.about)
-        )
+        versions = ComparedVersions.of(context)
+        tables = kept.issued_values(versions.about)
+        yield from solved_ahead(context.course, versions.variants, versions.declared, tables)
 
 
 @dataclass(frozen=True, slots=True)
@@ -130,56 +126,35 @@ class _Judged:
 
     Attributes:
         places: of their reports.
-        made_for: by student, version and variant that a work was made for, where there are several.
-        by: by student, the fingerprint of the declarations that a work was judged by, where these
-            are not today's.
+        by: what those of students were judged by who were issued to several times.
     """
 
     places: "array[int]"
-    made_for: Mapping[str, tuple[int, str]]
-    by: Mapping[str, str]
+    by: Collection[JudgedBy]
 
     @classmethod
     def of(cls, reports: Iterable[Report], context: GradingContext) -> "_Judged":
         """Look through a batch."""
-        places, made_for, by = array("q"), dict[str, tuple[int, str]](), dict[str, str]()
+        places, by = array("q"), dict[JudgedBy, None]()
         for place, report in enumerate(reports):
             if report.judged and report.student in context.register:
                 places.append(place)
-                by.pop(report.student, None)
-                if report.declarations in context.declared:
-                    by[report.student] = report.declarations
                 if report.student in context.earlier:
-                    made_for[report.student] = (report.made_for, report.variant)
-        return cls(places, made_for, by)
-
-    @property
-    def about(self) -> str:
-        """What tells which of all versions are compared, and by which declarations."""
-        return repr((sorted(self.made_for.items()), sorted(self.by.items())))
-
-    def variants(self, context: GradingContext) -> Sequence[tuple[str, Variant]]:
-        """Return what everybody was issued that works are compared with, with its owner."""
-
-        def variant(student: str) -> tuple[str, Variant]:
-            return student, self.issued_to(student, context).variant
-
-        return Viewed(tuple(context.register), variant)
-
-    def issued_to(self, student: str, context: GradingContext) -> Issued:
-        """Return what a work was made for: whoever had an earlier version has its numbers."""
-        versions = versions_of(student, context.register, context.earlier)
-        wanted = self.made_for.get(student)
-        asked = (one for one in versions if (one.version, one.variant.id) == wanted)
-        return next(asked, versions[-1])
+                    by[judged_by(report, context)] = None
+        return cls(places, by)
 
 
 def _titles(context: GradingContext) -> Callable[[str, str], Texts | str]:
-    """Return what tells the title of a student's quantity; its id where the variant has none."""
+    """Return what tells the title of a student's quantity; its id where no version has one."""
 
     def title(student: str, name: str) -> Texts | str:
-        variant = context.register[student].variant
-        quantities = make_plan(context.course, variant.scheme, variant.options).quantities
-        return quantities[name].title if name in quantities else name
+        versions = versions_of(student, context.register, context.earlier)
+        for one in reversed(versions):
+            state = context.declared.get(declarations_of(one, context), context.course)
+            with suppress(UsageError):  # nobody kept the declarations that it was issued with
+                quantities = plan_of(state, one.variant.composition).quantities
+                if name in quantities:
+                    return quantities[name].title
+        return name
 
     return title

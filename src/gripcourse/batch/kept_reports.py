@@ -69,7 +69,7 @@ class KeptReports:
         """Return the flags that comparing reports comes to; the last comparison is kept.
 
         Args:
-            digests: of all that are compared, as they are before it.
+            digests: of all that is compared, as it is before it.
             find: compares them, where an earlier run did not compare just these.
         """
         return self._last(_COMPARED, digests, find)
@@ -78,8 +78,8 @@ class KeptReports:
         """Return what returns the right values of what was issued; the last ones are kept.
 
         Args:
-            about: of which versions they are and by which declarations, where these are not the
-                last ones of the register that the folder is named after.
+            about: of which versions they are and by which declarations, beside those of students
+                who were issued to once.
         """
 
         def table(number: int, solve: Callable[[], SparseTable]) -> SparseTable:

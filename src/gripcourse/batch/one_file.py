@@ -4,7 +4,7 @@ from dataclasses import replace
 from functools import cache, lru_cache
 from typing import Final
 
-from gripcourse.batch.context import GradingContext, handed_in_by
+from gripcourse.batch.context import GradingContext, declarations_of, handed_in_by
 from gripcourse.course.composition import Composition
 from gripcourse.grading.diagnose import CandidatesOf
 from gripcourse.grading.flags import not_judged_flags
@@ -166,13 +166,10 @@ def judge_read(
 ) -> Report:
     """Judge a workbook that was read against what was issued to who handed it in.
 
-    A version that another one by other declarations replaced is judged by its own, where they were
-    kept and today's are not asked for; everything else by today's.
+    Today's declarations are used where they are asked for, else those of the version; see
+    `declarations_of`.
     """
-    last = context.register.get(issued.student.id, issued)
-    replaced = is_of_other_declarations(issued, last) and not by_todays
-    own = issued.declarations if replaced else ""
-    declarations = own if own in context.declared else ""
+    declarations = "" if by_todays else declarations_of(issued, context)
     plan, methods = _methods(context, declarations, issued.variant.composition)
     submission = interpret(raw, plan.quantities.values())
     if is_unreadable(submission):

@@ -11,6 +11,7 @@ from gripcourse.likeness.chance import CommonMistakes, chance_of, common_mistake
 from gripcourse.likeness.matches import Matches, Met, SoughtNumbers, in_order, met, same_as_typed
 from gripcourse.likeness.model import Evidence, NumberKind
 from gripcourse.likeness.odds import PairMatches, log_odds, rests_on
+from gripcourse.likeness.persons import RepeatedValues
 from gripcourse.likeness.pool import PooledWorks
 
 _BOTH = 2  # of those who typed the same: the one whom a number is about, and the other of a pair
@@ -27,7 +28,8 @@ def same_answers(asked: AskedNumbers) -> Iterator[Evidence]:
             for one in moved
         )
 
-    counted = met(portions, (works.typed for works in pooled.works))
+    repeated = RepeatedValues.of((works.typed for works in pooled.works), pooled.submitter)
+    counted = met(portions, (works.typed for works in pooled.works), repeated)
     mistakes = common_mistakes(pooled, asked.chances)
     found: dict[int, list[Likest]] = defaultdict(list)
     first = 0
@@ -72,7 +74,7 @@ def _keep_alike(
     pooled, part, owners = asked.pooled, compared[0].part, compared[0].owners
     pairs = either_likely(asked, compared)
     row, other = np.divmod(pairs, owners)
-    pairs = pairs[pooled.own[part.first + row] != pooled.own[first + other]]
+    pairs = pairs[pooled.submitter[part.first + row] != pooled.submitter[first + other]]
     each = np.stack([log_odds(one, pairs, asked.answers) for one in compared])
     logs = of_all(each)
     told = logs >= asked.least

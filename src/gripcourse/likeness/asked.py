@@ -33,7 +33,7 @@ class AskedNumbers:
     def comparisons(self) -> float:
         """The logarithm of how many variants and submissions were compared with submissions."""
         submissions = len(self.pooled.students)
-        return math.log(max(1, submissions * (len(self.pooled.issued.owners) + submissions - 2)))
+        return math.log(max(1, self.pooled.variants + submissions * (submissions - 1)))
 
     @property
     def least(self) -> float:

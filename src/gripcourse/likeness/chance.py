@@ -9,6 +9,7 @@ import numpy as np
 from gripcourse.likeness.cells import Floats, Ints, SparseTable
 from gripcourse.likeness.matches import Met, SoughtNumbers, density, met
 from gripcourse.likeness.model import Chances
+from gripcourse.likeness.persons import RepeatedValues
 from gripcourse.likeness.pool import ComparisonPool, PooledPart
 
 _SAME_RATIO: Final = 1e-3  # relative: as exactly as people type
@@ -99,7 +100,8 @@ def common_mistakes(pooled: ComparisonPool, chances: Chances) -> CommonMistakes:
     def portions() -> Iterator[SoughtNumbers]:
         return (_ratios(part)[1] for part in pooled.parts())
 
-    return CommonMistakes(met(portions, (one.ratios for one in pooled.works)), chances)
+    repeated = RepeatedValues.of((one.ratios for one in pooled.works), pooled.submitter)
+    return CommonMistakes(met(portions, (one.ratios for one in pooled.works), repeated), chances)
 
 
 def _ratios(part: PooledPart) -> tuple[Ints, SoughtNumbers]:

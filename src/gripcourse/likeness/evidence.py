@@ -30,7 +30,8 @@ def find_evidence(
     Args:
         works: the submissions, each asked for once; several of one student are not compared with
             each other.
-        issued: the right values of every issued variant; its owners are student ids.
+        issued: the right values of every issued variant; its owners are student ids, of which one
+            has a row for each version that was issued.
         rule: from which odds on evidence is told.
         chances: what counts as coincidence.
 
@@ -46,11 +47,12 @@ def find_evidence(
             if work.student in known:
                 yield work
 
-    pooled = pool(usable(), issued)
+    chances = chances or Chances()
+    pooled = pool(usable(), issued, max(chances.moved))
     creators = tuple(same_creators(authors, rule))
     if rule.odds == 0 or not pooled.students:
         return creators
-    asked = AskedNumbers(pooled, rule, chances or Chances())
+    asked = AskedNumbers(pooled, rule, chances)
     taken = tuple(taken_from_issued(asked))
     pairs = {(one.student, owner) for one in taken for owner in one.owners}
     variants = [asked.evidence(NumberKind.OTHER_VARIANT, one.student, one.best) for one in taken]

@@ -26,7 +26,7 @@ _PROPORTIONAL = 0.995  # correlation of logarithms from which two quantities cou
 _ENOUGH = 8  # different values from which a correlation says something
 _DIFFERENT = 1e-6  # of the logarithm
 _TOGETHER: Final = 1000  # owners in one table: what lies in memory of them at a time
-_TODAY: Final[Mapping[str, Course]] = MappingProxyType({})
+_TODAY: Final[Mapping[int, Course]] = MappingProxyType({})
 
 KeptTable: TypeAlias = Callable[[int, Callable[[], SparseTable]], SparseTable]
 """Returns one of the tables: what an earlier run kept of it, or what solving comes to."""
@@ -42,7 +42,7 @@ class IssuedValues:
     """The values of variants, in declared units.
 
     Attributes:
-        owners: of the rows, for example student ids.
+        owners: of the rows, for example student ids; whoever was issued to twice owns two.
         quantities: ids of the columns: given, computed, chosen and picked ones.
         values: tables, the owners of the first before those of the second: of owners (rows) and
             quantities (columns); none where a variant has no such quantity.
@@ -147,7 +147,7 @@ class _Kinds:
 def issued_values(
     course: Course,
     variants: Sequence[tuple[str, Variant]],
-    declared: Mapping[str, Course] = _TODAY,
+    declared: Mapping[int, Course] = _TODAY,
     kept: KeptTable = solved_anew,
 ) -> IssuedValues:
     """Solve all variants, as many at a time as there is room for.
@@ -155,7 +155,7 @@ def issued_values(
     Args:
         course: that they belong to.
         variants: each with its owner; one that the course can no longer solve has no values.
-        declared: by owner, an earlier state of the course that their variant was judged by.
+        declared: by place among these, an earlier state of the course that computes a variant.
         kept: returns what an earlier run solved.
     """
     kinds = _kinds(course, variants, declared)
@@ -171,16 +171,20 @@ def issued_values(
 
 
 def solved_ahead(
-    course: Course, variants: Sequence[tuple[str, Variant]], kept: KeptTable
+    course: Course,
+    variants: Sequence[tuple[str, Variant]],
+    declared: Mapping[int, Course],
+    kept: KeptTable,
 ) -> Iterator[None]:
     """Solve variants before anybody asks for them, some at each step, so that they are kept.
 
     Args:
         course: that they belong to.
         variants: each with its owner, as `issued_values` will be asked for them.
+        declared: likewise.
         kept: keeps what they come to.
     """
-    for _ in _tables(_kinds(course, variants, _TODAY), variants, kept):
+    for _ in _tables(_kinds(course, variants, declared), variants, kept):
         yield
 
 
@@ -195,13 +199,13 @@ def _tables(
 
 
 def _kinds(
-    course: Course, variants: Iterable[tuple[str, Variant]], declared: Mapping[str, Course]
+    course: Course, variants: Iterable[tuple[str, Variant]], declared: Mapping[int, Course]
 ) -> _Kinds:
     """Group variants that are computed alike."""
     courses = {id(one): one for one in (course, *declared.values())}
     owners, kind, known = list[str](), array("i"), dict[tuple[int, Composition], int]()
-    for owner, variant in variants:
-        key = id(declared.get(owner, course)), variant.composition
+    for row, (owner, variant) in enumerate(variants):
+        key = id(declared.get(row, course)), variant.composition
         owners.append(owner)
         kind.append(known.setdefault(key, len(known)))
     plans, numbers = list[Plan](), list[int]()

@@ -15,11 +15,13 @@ from itertools import pairwise
 import numpy as np
 
 from gripcourse.likeness.cells import Bits, Flags, Floats, Ints, SparseTable
+from gripcourse.likeness.persons import RepeatedValues
 
 _FIGURES = 3  # that a typed number has at least: a spreadsheet keeps 5,00 as 5
 _OWN_ROUNDING = 0.002  # relative: what intermediate rounding moves a copied value off the exact one
 _WIDEST_SPREAD = 0.5  # of the logarithm: wrong values spread at least so far
 _SAME = 1e-9  # relative
+_HITS_AT_ONCE = 100_000
 
 
 @dataclass(frozen=True, slots=True)
@@ -200,12 +202,17 @@ class Met:
         return np.asarray(others / np.maximum(self.all[sought.column], 1))
 
 
-def met(portions: Callable[[], Iterator[SoughtNumbers]], tables: Iterable[SparseTable]) -> Met:
+def met(
+    portions: Callable[[], Iterator[SoughtNumbers]],
+    tables: Iterable[SparseTable],
+    repeated: RepeatedValues | None = None,
+) -> Met:
     """Count who has the same numbers.
 
     Args:
         portions: yields what is sought, the same each time.
         tables: of all owners, the one below the other.
+        repeated: what owners of several rows have several numbers of; each of them counts once.
     """
     same = list[Ints]()
     everybody: Ints = np.zeros(0, dtype=np.intp)
@@ -220,7 +227,25 @@ def met(portions: Callable[[], Iterator[SoughtNumbers]], tables: Iterable[Sparse
                 same[place] += count
             else:
                 same.append(count)
+    if repeated is not None:
+        others = in_order(repeated.lower)
+        everybody = everybody - (others.begins[1:] - others.begins[:-1])
+        for place, sought in enumerate(portions()):
+            same[place] -= _repetitions(sought, others, repeated.upper)
     return Met(tuple(same), everybody)
+
+
+def _repetitions(sought: SoughtNumbers, lower: OrderedValues, upper: SparseTable) -> Ints:
+    """Count for each number the pairs of one owner's numbers that are both the same as it."""
+    first, after = sought.runs(lower)
+    found, count = Matches(sought, lower, first, after), np.zeros(len(first), dtype=np.int32)
+    portion = np.cumsum(after - first) // _HITS_AT_ONCE
+    for chosen in np.split(np.arange(len(first)), np.flatnonzero(np.diff(portion)) + 1):
+        number, row = found.owners(chosen)
+        largest = sought.value[number] + sought.reach[number]
+        both = upper.at(row, sought.column[number]) <= largest
+        count += np.bincount(number[both], minlength=len(first)).astype(np.int32)
+    return count
 
 
 @dataclass(frozen=True, slots=True)

@@ -23,11 +23,13 @@ class ComparedWork:
         student: id of who handed it in.
         numbers: answers, and the given values that differ from the issued ones.
         creator: the author that the workbook names; empty for none, or for who issued it.
+        version: which of the student's rows of issued values it was judged by, counted from 0.
     """
 
     student: str
     numbers: TypedNumbers
     creator: str
+    version: int = 0
 
 
 @dataclass(frozen=True, slots=True)

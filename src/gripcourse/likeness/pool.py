@@ -13,7 +13,8 @@ from numpy.typing import NDArray
 from gripcourse.likeness.cells import Flags, Floats, Ints, SparseTable, keys_of
 from gripcourse.likeness.issued import IssuedValues
 from gripcourse.likeness.matches import ComparedNumbers, Spread, last_unit
-from gripcourse.likeness.model import ComparedWork
+from gripcourse.likeness.model import Chances, ComparedWork
+from gripcourse.likeness.own_versions import OwnVersions
 from gripcourse.likeness.typed_numbers import TypedNumbers
 from gripcourse.machine.shelf import Shelved
 from gripcourse.slips.model import SlipId
@@ -21,6 +22,7 @@ from gripcourse.slips.model import SlipId
 _FILLER = 3  # unexplained cells with the same number: typed to fill them, not computed
 _AT_ONCE: Final = 100  # submissions that are looked into together
 _TOGETHER: Final = 1000  # submissions in one table: what lies in memory of them at a time
+_MOVED: Final = max(Chances().moved)
 
 
 @dataclass(frozen=True, slots=True)
@@ -28,7 +30,7 @@ class PooledWorks:
     """The numbers of some submissions; nothing stands here twice.
 
     Attributes:
-        own: row of each submission's student in the tables of issued values.
+        own: row of each submission's variant in the tables of issued values.
         typed: what was typed, of submissions (rows) and quantities (columns); never zero.
         right: (numbers,); what the student's own variant has for each; NaN for nothing.
         half_unit: (numbers,); half a unit of the last digit of each, as a place in what follows.
@@ -69,8 +71,11 @@ class ComparisonPool:
 
     Attributes:
         students: of the submissions.
-        own: row of each submission's student in the tables of issued values.
+        own: row of each submission's variant in the tables of issued values.
         issued: these tables.
+        person: (rows of these tables,); the first row of the same student.
+        submitter: (submissions,); likewise of each.
+        variants: how many rows of other students all submissions are compared with.
         spread: of their values.
         works: the numbers, the submissions of the first table before those of the second.
         common: (slips,); how common each is among those who answered its quantity.
@@ -79,6 +84,9 @@ class ComparisonPool:
     students: tuple[str, ...]
     own: Ints
     issued: IssuedValues
+    person: Ints
+    submitter: Ints
+    variants: int
     spread: Spread
     works: Sequence[PooledWorks]
     common: Floats
@@ -132,20 +140,31 @@ def _parts(pooled: ComparisonPool, works: PooledWorks, first: int) -> Iterator[P
         )
 
 
-def pool(works: Iterable[ComparedWork], issued: IssuedValues) -> ComparisonPool:
+def pool(
+    works: Iterable[ComparedWork], issued: IssuedValues, moved: float = _MOVED
+) -> ComparisonPool:
     """Put the numbers of submissions side by side; all students own a row of issued values.
 
     Each is looked into once: it is asked for, and let go when the next ones come.
+
+    Args:
+        works: the submissions.
+        issued: the right values of every issued variant.
+        moved: relative; how far a number may be from the right one of another version of the same
+            student, which explains it.
     """
-    gathering = _Gathering(issued)
+    gathering = _Gathering(issued, moved)
     tables = Shelved(gathering.tables(iter(works)))
-    own = np.frombuffer(gathering.own, np.int32)
+    own, versions = np.frombuffer(gathering.own, np.int32), gathering.versions
     counts = np.array([gathering.slipped[one] for one in gathering.slips.values()], np.float64)
     quantity = np.array([place for place, _ in gathering.slips], dtype=np.intp)
     return ComparisonPool(
         students=tuple(issued.owners[row] for row in gathering.own),
         own=own,
         issued=issued,
+        person=versions.person,
+        submitter=versions.person[own],
+        variants=versions.variants_of_others(own),
         spread=Spread.of(issued.values),
         works=tables,
         common=counts / gathering.answered[quantity],
@@ -155,9 +174,9 @@ def pool(works: Iterable[ComparedWork], issued: IssuedValues) -> ComparisonPool:
 class _Gathering:
     """What is known of a cohort's submissions while they come one after another."""
 
-    def __init__(self, issued: IssuedValues) -> None:
-        self.issued = issued
-        self.rows = {student: row for row, student in enumerate(issued.owners)}
+    def __init__(self, issued: IssuedValues, moved: float) -> None:
+        self.issued, self.moved = issued, moved
+        self.versions = OwnVersions.of(issued)
         self.columns = _Columns(issued.columns)
         self.own = array("i")
         self.slips: dict[tuple[int, SlipId], int] = {}
@@ -190,20 +209,26 @@ class _Gathering:
             values.frombytes(found.value[chosen].tobytes())
             of_unit.frombytes(_numbered(found.half_unit[chosen], half_units).tobytes())
             self.answered += np.bincount(found.column[chosen], minlength=len(self.answered))
-            self.own.extend(self.rows[work.student] for work in portion)
+            self.own.extend(map(self.versions.row, portion))
         if len(self.own) == begin:
             return None
         own = np.array(self.own[begin:], dtype=np.int32)
         row, column = np.concatenate(rows), np.concatenate(columns)
         shape = len(own), len(self.issued.quantities)
         self.slipped.update(of_slip)
+        unit, units = np.frombuffer(of_unit, np.int32), np.array(list(half_units), np.float64)
+        typed = np.frombuffer(values)
+        explained = np.array(told, dtype=np.bool_)
+        if self.versions.several:
+            numbers = typed, units[unit]
+            explained |= self.versions.explained(own, row, column, numbers, self.moved)
         return PooledWorks(
             own=own,
-            typed=SparseTable(*shape, keys_of(shape, row, column), np.frombuffer(values)),
+            typed=SparseTable(*shape, keys_of(shape, row, column), typed),
             right=self.issued.at(own[row], column),
-            half_unit=np.frombuffer(of_unit, np.int32),
-            half_units=np.array(list(half_units), dtype=np.float64),
-            explained=np.frombuffer(told, np.bool_),
+            half_unit=unit,
+            half_units=units,
+            explained=explained,
             slipped=np.frombuffer(slipped, np.int32),
             slip=np.frombuffer(of_slip, np.int32),
         )

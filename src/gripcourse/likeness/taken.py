@@ -17,6 +17,7 @@ from gripcourse.likeness.matches import (
     same_as_issued,
 )
 from gripcourse.likeness.odds import PairMatches, log_odds, rests_on
+from gripcourse.likeness.persons import RepeatedValues
 from gripcourse.likeness.pool import PooledPart
 
 _ITSELF = 1  # of those who have the same issued number, whom the number is about
@@ -48,7 +49,8 @@ def taken_from_issued(asked: AskedNumbers) -> Iterator[TakenNumbers]:
             for one in moved
         )
 
-    counted = met(portions, pooled.issued.values)
+    repeated = RepeatedValues.of(pooled.issued.values, pooled.person)
+    counted = met(portions, pooled.issued.values, repeated)
     found: dict[int, TakenNumbers] = {}
     first = 0
     for table in pooled.issued.values:
@@ -92,7 +94,7 @@ def _keep_taken(
     pooled, owners = asked.pooled, asked.pooled.issued.owners
     pairs = either_likely(asked, compared)
     row, owner = np.divmod(pairs, compared[0].owners)
-    other = first + owner != pooled.own[part.first + row]
+    other = pooled.person[first + owner] != pooled.submitter[part.first + row]
     row, owner, pairs = row[other], owner[other], pairs[other]
     each = np.stack([log_odds(one, pairs, asked.answers) for one in compared])
     logs = of_all(each)

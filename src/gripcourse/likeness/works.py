@@ -15,13 +15,14 @@ _SAME = 1e-9  # relative: stored givens are decimal numbers
 _ROUNDED: Final = 0.002  # relative: what rounding on the way leaves of a number that follows
 
 
-def work_of(report: Report, issued: Issued, issuer: str) -> ComparedWork:
+def work_of(report: Report, issued: Issued, issuer: str, version: int = 0) -> ComparedWork:
     """Return the numbers of a judged submission.
 
     Args:
         report: of the submission.
-        issued: to the student who handed it in.
+        issued: to the student who handed it in; the workbook was made for it.
         issuer: the author that issued workbooks name.
+        version: see `ComparedWork`.
     """
     given = issued.variant.given
     # Mostly all is left as it was issued.
@@ -33,7 +34,7 @@ def work_of(report: Report, issued: Issued, issuer: str) -> ComparedWork:
     )
     creator = "" if report.creator == issuer else report.creator
     numbers = derived(report.findings, TYPED).and_more(changed)
-    return ComparedWork(report.student, numbers, creator)
+    return ComparedWork(report.student, numbers, creator, version)
 
 
 def _typed(findings: Collection[Finding]) -> TypedNumbers:

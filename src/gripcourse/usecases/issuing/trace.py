@@ -158,7 +158,10 @@ def trace(
         problems.append(Problem("", "", what, message("Write some, for example 1843 22,6 0,37.")))
     if problems:
         raise UsageError(problems)
-    issued = issued_values(course, list(sought.variants.items()), sought.kept)
+    kept = {
+        row: sought.kept[name] for row, name in enumerate(sought.variants) if name in sought.kept
+    }
+    issued = issued_values(course, list(sought.variants.items()), kept)
     origins = rank(clues, issued, {name: who[0] for name, who in sought.students.items()})
     notes = tuple(_notes(sought, {one.owner for one in origins}))
     return Traced(origins, sought.variants, sought.students, declared, notes)
