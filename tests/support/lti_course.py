@@ -20,6 +20,7 @@ from gripcourse.policy.model import Policy
 from gripcourse.usecases.issuing.handout import Handout
 from gripcourse.usecases.issuing.issue import issue_order
 from gripcourse.usecases.serving.desk import DeskContext
+from gripcourse.usecases.serving.living import LivingCourse
 from gripcourse.usecases.serving.lti import register_platform
 from gripcourse.web.app import make_app
 from gripcourse.web.checking import make_checkers
@@ -71,7 +72,7 @@ class LtiCourse:
     def site(self, **changes: object) -> Site:
         """Return what its pages are made from."""
         return Site(
-            context=self.context,
+            living=LivingCourse(self.context),
             checkers=make_checkers(self.context, 1, None),
             clock=self.clock,
             **changes,  # type: ignore[arg-type]

@@ -29,6 +29,7 @@ from gripcourse.usecases.publishing.publish import current, withdraw
 from gripcourse.usecases.serving.desk import DeskContext
 from gripcourse.usecases.serving.hand_in import collect_hand_ins
 from gripcourse.usecases.serving.links import token_of
+from gripcourse.usecases.serving.living import LivingCourse
 from gripcourse.usecases.serving.sign_in import offer_sign_in
 from gripcourse.variants.model import Issued
 from gripcourse.web.app import make_app
@@ -56,7 +57,7 @@ class Server:
             raises: whether what goes wrong in the server is raised here too.
         """
         site = Site(
-            context=self.context,
+            living=LivingCourse(self.context, seconds=0),
             checkers=make_checkers(self.context, 1, None),
             clock=self.clock,
             assignments=self.classroom.order.out,

@@ -8,6 +8,7 @@ import pytest
 from starlette.testclient import TestClient
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
+from gripcourse.usecases.serving.living import LivingCourse
 from gripcourse.usecases.serving.sign_in import offer_sign_in
 from gripcourse.web.app import make_app
 from gripcourse.web.checking import make_checkers
@@ -68,7 +69,7 @@ async def through_guard(
 
 
 def test_one_student_sends_a_few_files_at_once_and_others_send_theirs(server: "Server") -> None:
-    site = Site(server.context, make_checkers(server.context, 1, None), server.clock)
+    site = Site(LivingCourse(server.context), make_checkers(server.context, 1, None), server.clock)
     client, files = TestClient(make_app(site)), {"file": ("a.xlsx", b"PK at once")}
     mine, theirs = server.home("s01"), server.home("s02")
     token = {"authorization": f"Bearer {mine.split('/')[2]}", "accept-language": "en"}

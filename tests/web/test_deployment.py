@@ -10,6 +10,7 @@ import pytest
 from starlette.testclient import TestClient
 from uvicorn.middleware.proxy_headers import ProxyHeadersMiddleware
 
+from gripcourse.usecases.serving.living import LivingCourse
 from gripcourse.web.app import make_app
 from gripcourse.web.checking import make_checkers
 from gripcourse.web.guard import LARGEST_BODY
@@ -83,7 +84,12 @@ def test_the_web_server_before_ours_writes_no_path_and_lets_us_refuse() -> None:
 def test_behind_a_proxy_a_visitor_is_whom_the_proxy_names_and_nobody_of_his_choice(
     server: "Server",
 ) -> None:
-    site = Site(server.context, make_checkers(server.context, 1, None), server.clock, secure=True)
+    site = Site(
+        LivingCourse(server.context),
+        make_checkers(server.context, 1, None),
+        server.clock,
+        secure=True,
+    )
     app = ProxyHeadersMiddleware(make_app(site), trusted_hosts=["testclient"])  # type: ignore[arg-type]
     client = TestClient(app, "http://inner", follow_redirects=False)  # type: ignore[arg-type]
 

@@ -10,6 +10,7 @@ from starlette.testclient import TestClient
 
 from gripcourse.machine.files import write_bytes
 from gripcourse.usecases.publishing.publish import current, publish, published_to, withdraw
+from gripcourse.usecases.serving.living import LivingCourse
 from gripcourse.usecases.serving.sign_in import SIGN_IN_MINUTES, offer_sign_in
 from gripcourse.web.checking import make_checkers
 from gripcourse.web.downloads import download_routes
@@ -39,7 +40,7 @@ FORMS = (
 
 
 def test_every_route_of_the_desk_is_tried(server: "Server") -> None:
-    site = Site(server.context, make_checkers(server.context, 1, None), server.clock)
+    site = Site(LivingCourse(server.context), make_checkers(server.context, 1, None), server.clock)
     routes = (
         *(*instructor_routes(site), *marking_routes(site), *regrading_routes(site)),
         *(*drawing_routes(site), *overview_routes(site), *download_routes(site)),

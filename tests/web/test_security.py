@@ -13,6 +13,7 @@ from starlette.testclient import TestClient
 from starlette.types import Message, Receive, Scope, Send
 
 from gripcourse.access.desk.links import SignedLink, link_text
+from gripcourse.usecases.serving.living import LivingCourse
 from gripcourse.web.checking import make_checkers
 from gripcourse.web.guard import LARGEST_BODY, Guard
 from gripcourse.web.rates import HAND_INS
@@ -53,7 +54,7 @@ def neighbour(server: "Server") -> "Server":
 
 
 def test_every_route_of_a_student_is_tried(server: "Server") -> None:
-    site = Site(server.context, make_checkers(server.context, 1, None), server.clock)
+    site = Site(LivingCourse(server.context), make_checkers(server.context, 1, None), server.clock)
     assert {
         (next(iter(route.methods - {"HEAD"})), route.path.removeprefix("/s/{token}/"))
         for route in student_routes(site)

@@ -9,6 +9,7 @@ from typing import Final
 from gripcourse.course.composition import Composition
 from gripcourse.course.model import Course
 from gripcourse.grading.identify import HandedIn, identify, named_by_person
+from gripcourse.grading.known_by import KnownBy
 from gripcourse.grading.made_for import is_of_other_declarations
 from gripcourse.grading.path_pattern import PathPattern
 from gripcourse.issuing.withdrawal import Join
@@ -28,7 +29,8 @@ class GradingContext:
     Attributes:
         course, policy: what is graded by.
         register: entries by student id, of each student the last version.
-        whose: by file, the id of the student who handed it in, where a person says so.
+        whose: by file, the id of the student who handed it in, where a person says so; it may have
+            been joined with another's.
         office: the command that starts LibreOffice, for files that need it; None for none.
         recalculate: whether it computes all formulas once more, to be compared with what is stored.
         pattern: how paths say whose a file is; None where only platforms' own ways count.
@@ -41,8 +43,9 @@ class GradingContext:
             it is among the student's earlier versions.
         joins: the same with their moments, in the order in which they were joined.
         former: by student id, how the register wrote the person before.
-        answered: by file, the digest of what it held when it was graded before, and whose it was
-            then: who was asked need not answer again.
+        answered: by file and by the digest of what it held when it was graded before, the id under
+            which that is kept: who was asked need not answer again.
+        said: the same of what a person said it is, which goes before the name of a file.
     """
 
     course: Course
@@ -59,7 +62,8 @@ class GradingContext:
     joined: Mapping[str, str] = field(default_factory=dict)
     joins: tuple[Join, ...] = ()
     former: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
-    answered: Mapping[str, tuple[str, str]] = field(default_factory=dict)
+    answered: Mapping[str, Mapping[str, str]] = field(default_factory=dict)
+    said: Mapping[str, Mapping[str, str]] = field(default_factory=dict)
 
 
 def handed_in_by(
@@ -74,14 +78,17 @@ def handed_in_by(
         digest: of the bytes; empty where nobody could read them.
     """
     known, earlier = context.register, context.earlier
-    student = context.whose.get(file)
-    if student is not None:
-        return named_by_person(student, identity, known, earlier)
     pattern, joined, former = context.pattern, context.joined, context.former
+    named = context.whose.get(file)
+    if named is not None:
+        return named_by_person(joined.get(named, named), identity, known, earlier, named)
     found = identify(file, identity, known, pattern, earlier, joined, former=former)
-    held, said = context.answered.get(file, ("", ""))
-    if found.issued is None and digest and held == digest and said in known:
-        return named_by_person(said, identity, known, earlier)
+    by_name = found.known_by is KnownBy.FILE_NAME
+    for before, counts in ((context.said, by_name), (context.answered, False)):
+        id_ = before.get(file, {}).get(digest, "") if digest else ""
+        student = joined.get(id_, id_)
+        if (found.issued is None or counts) and student in known:
+            return named_by_person(student, identity, known, earlier, id_)
     return found
 
 

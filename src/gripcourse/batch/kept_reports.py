@@ -30,13 +30,15 @@ class KeptReports:
     Attributes:
         folder: of these reports alone, named after all that a report is made from but its file.
         whose: by file, the student who handed it in, where a person says so.
-        answered: by file, the digest of what it held before, and whose it was then.
+        answered: by file and by the digest of what it held before, whose it was then.
+        said: the same, as a person said.
         written: the file of what this run keeps, once there is anything.
     """
 
     folder: Path
     whose: Mapping[str, str]
-    answered: Mapping[str, tuple[str, str]] = field(default_factory=dict)
+    answered: Mapping[str, Mapping[str, str]] = field(default_factory=dict)
+    said: Mapping[str, Mapping[str, str]] = field(default_factory=dict)
     written: list[RecordsFile] = field(default_factory=list)
 
     def of(self, files: Sequence[Readable]) -> Iterator[tuple[int, Report]]:
@@ -58,7 +60,7 @@ class KeptReports:
         if not self.written:
             self.written.append(new_records(self.folder))
         name = shown_name(file)
-        said = self.whose.get(name)
+        said = self._said(name, report.digest)
         if said is None and report.known_by is KnownBy.PERSON:
             said = self._answer(name, report.digest)
         self.written[0].add(_key(name, report.digest, said), report)
@@ -102,17 +104,22 @@ class KeptReports:
         digest, name = digest_of_content(file), shown_name(file)
         if not digest:
             return None
-        said = self.whose.get(name)
+        said = self._said(name, digest)
         found = find(_key(name, digest, said))
         answer = self._answer(name, digest) if said is None else None
         if answer is not None and not (isinstance(found, Report) and found.judged):
             found = find(_key(name, digest, answer))  # else it is graded with the answer
         return found if isinstance(found, Report) and found.digest == digest else None
 
+    def _said(self, name: str, digest: str) -> str | None:
+        """Return by what a word for whose a file is, of now or before, is kept; None for none."""
+        before = self.said.get(name, {}).get(digest)
+        return self.whose.get(name) or (None if before is None else f"said: {before}")
+
     def _answer(self, name: str, digest: str) -> str | None:
         """Return by what an earlier word for whose a file is is kept; None where there is none."""
-        held, student = self.answered.get(name, ("", ""))
-        return f"before: {student}" if student and held == digest else None
+        student = self.answered.get(name, {}).get(digest)
+        return f"before: {student}" if student else None
 
 
 def _key(name: str, digest: str, said: str | None) -> bytes:

@@ -64,18 +64,19 @@ def serve(  # noqa: PLR0913 (one parameter per option)
                 name=str(missing.name),
             )
         ) from missing
-    from gripcourse.usecases.serving.desk import open_context
+    from gripcourse.usecases.serving.living import open_living
     from gripcourse.usecases.serving.sign_in import offer_sign_in
 
     words = words_for(language)
-    context = open_context(course_folder(course))
+    living = open_living(course_folder(course))
+    context = living.context
     base = (address or context.course.address or f"http://{host}:{port}").rstrip("/")
     serving = Serving(host, port, base, assignments, graded, workers)
     look_into(serving)
     token = offer_sign_in(context, getpass.getuser(), datetime.now(UTC))
     said = message("Serving at {address}. Sign in once, within half an hour:", address=base)
     typer.echo(f"{words.say(said)}\n{base}/desk/sign-in/{token}")
-    run(context, serving)
+    run(living, serving)
 
 
 @app.command("sign-in", cls=SpokenCommand)

@@ -132,3 +132,14 @@ waivers = Table(
     Column("done_at", DateTime, nullable=False),  # UTC
     Column("why", String, nullable=False),
 )
+
+# Whose a file is, as a person said; of the same bytes at the same end of a path the last counts.
+words = Table(
+    "gradebook_word",
+    metadata,
+    Column("number", Integer, primary_key=True, autoincrement=False),
+    Column("file", String, nullable=False),
+    Column("digest", String(64), nullable=False),
+    Column("student", String, nullable=False),
+    Column("said_at", DateTime, nullable=False),  # UTC
+)

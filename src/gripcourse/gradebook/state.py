@@ -25,6 +25,7 @@ _DECIDE: Final = (
     schema.regrades,
     schema.publications,
     schema.waivers,
+    schema.words,
 )
 _AT_ONCE: Final = 500  # rows
 
@@ -35,7 +36,7 @@ class DatabaseState:
 
     Attributes:
         whole: of all.
-        others: of all but the attempts that were graded at one moment.
+        others: of all but what a batch of one moment keeps.
     """
 
     whole: str
@@ -47,7 +48,8 @@ def state_of(place: str, moment: datetime) -> DatabaseState:
 
     Args:
         place: a path or a database URL; what is not there says what an empty one says.
-        moment: attempts that were graded just then are left out of `others`.
+        moment: attempts that were graded just then, and what was said then of whose files are, are
+            left out of `others`.
 
     Raises:
         GradebookError: the database cannot be used.
@@ -60,7 +62,7 @@ def state_of(place: str, moment: datetime) -> DatabaseState:
             for table, row in _rows(connection):
                 told = f"{table.name}{tuple(row)!r}".encode()
                 whole.update(told)
-                if table is not schema.attempts or row.graded_at != at:
+                if not _is_of(table, row, at):
                     others.update(told)
     return DatabaseState(whole.hexdigest(), others.hexdigest())
 
@@ -71,3 +73,10 @@ def _rows(connection: Connection) -> Iterator[tuple[Table, Row[Any]]]:
         with connection.execute(question, execution_options={"yield_per": _AT_ONCE}) as rows:
             for row in rows:
                 yield table, row
+
+
+def _is_of(table: Table, row: Row[Any], at: datetime) -> bool:
+    """Tell whether a row is what a batch of some moment keeps."""
+    if table is schema.attempts:
+        return bool(row.graded_at == at)
+    return table is schema.words and bool(row.said_at == at)

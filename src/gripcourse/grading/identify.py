@@ -55,10 +55,16 @@ class _People:
     register: Mapping[str, Issued]
     joined: Mapping[str, str]
     former: Mapping[str, Sequence[str]]
+    earlier: Mapping[str, Sequence[Issued]]
 
     def id_of(self, id_: str) -> str:
         """Return the id by which the register knows whom an id names."""
         return self.joined.get(id_, id_)
+
+    def issued_to(self, id_: str) -> Issued:
+        """Return what was issued last to whom an id names, under that id."""
+        versions = versions_of(self.id_of(id_), self.register, self.earlier)
+        return version_made_for(None, versions, id_)
 
     def names_of(self, entry: Issued) -> Iterator[str]:
         """Yield how a person is written, was before, and is under ids that were joined."""
@@ -88,7 +94,7 @@ def identify(  # noqa: PLR0913 (all that may tell it)
         joined: by id that was joined with another's, the id of the student.
         former: by student id, how the register wrote the person before: a platform may still.
     """
-    people = _People(register, joined, former)
+    people = _People(register, joined, former, earlier)
     stated = None if pattern is None else pattern.part_of(file)
     by_path = _by_path(file, stated, people)
     named = "" if identity is None else people.id_of(identity.student)
@@ -102,7 +108,11 @@ def identify(  # noqa: PLR0913 (all that may tell it)
     if by_path.issued is None:
         return _doubtful(_unsigned(named)) if named in register else by_path
     path_says = by_path.issued.student.id
-    return by_path if named in {"", path_says} else _doubtful(_two_names(named, path_says))
+    if named not in {"", path_says}:
+        return _doubtful(_two_names(named, path_says))
+    versions = versions_of(path_says, register, earlier)
+    made_for = version_made_for(identity, versions, by_path.issued.signed_for)
+    return HandedIn(made_for, by_path.known_by)
 
 
 def named_by_person(
@@ -110,9 +120,10 @@ def named_by_person(
     identity: Identity | None,
     register: Mapping[str, Issued],
     earlier: Mapping[str, Sequence[Issued]] = _NONE_EARLIER,
+    named_as: str = "",
 ) -> HandedIn:
     """Take a person's word for who handed a file in; the student is on the register."""
-    made_for = version_made_for(identity, versions_of(student, register, earlier))
+    made_for = version_made_for(identity, versions_of(student, register, earlier), named_as)
     return HandedIn(made_for, KnownBy.PERSON)
 
 
@@ -122,8 +133,8 @@ def _by_path(file: str, stated: PlatformPart | None, people: _People) -> HandedI
     if stated is not None:
         named = _of_pattern(stated, people)
         if len(named) > 1:
-            return _doubtful(_several_of_name(stated.name, named))
-        entry = register[named[0]] if named else None
+            return _doubtful(_several_of_name(stated.name, list(named)))
+        entry = next(map(people.issued_to, named.values()), None)
         if entry is not None and (other := _other_by_name(stated, entry, people)):
             return _doubtful(_two_in_path(entry.student.id, other))
         return HandedIn(entry, KnownBy.PLATFORM if entry else KnownBy.NOTHING)
@@ -134,26 +145,31 @@ def _by_path(file: str, stated: PlatformPart | None, people: _People) -> HandedI
     path = PurePath(unicodedata.normalize("NFC", file))
     # Handouts are folders named after their students; a bare number may count anything.
     folder = path.parent.name if not path.parent.name.isdecimal() else ""
-    called = dict.fromkeys(people.id_of(one) for one in (path.stem, folder))
-    told = [one for one in called if one in register]
+    called = [one for one in (path.stem, folder) if people.id_of(one) in register]
+    told = dict.fromkeys(map(people.id_of, called))
     if len(told) > 1:
         return _doubtful(_two_in_path(*told))
-    return HandedIn(register[told[0]], KnownBy.FILE_NAME) if told else _NOBODYS
+    return HandedIn(people.issued_to(called[0]), KnownBy.FILE_NAME) if called else _NOBODYS
 
 
-def _of_pattern(part: PlatformPart, people: _People) -> Sequence[str]:
-    """Return the ids of whom an instructor's own pattern names; of several who share a name all."""
+def _of_pattern(part: PlatformPart, people: _People) -> Mapping[str, str]:
+    """Return whom an instructor's own pattern names; of several who share a name all.
+
+    Returns:
+        By the id of the person the one that is named, which may have been joined with it.
+    """
     register, joined = people.register, people.joined
     if part.identifier:
         student = people.id_of(part.identifier)
-        return [student] if student in register else []
+        return {student: part.identifier} if student in register else {}
     second = (
-        (student, person.name)
+        (student, person.id, person.name)
         for student in sorted(set(joined.values()) & register.keys())
         for person in register[student].joined
     )
-    named = (student for student, name in chain(names_of(register), second) if part.is_named(name))
-    return list(dict.fromkeys(named))
+    own = ((student, student, name) for student, name in names_of(register))
+    # Who is called the same under both ids is named by the one that is kept.
+    return {student: id_ for student, id_, name in chain(second, own) if part.is_named(name)}
 
 
 def _of_platform(part: PlatformPart, people: _People) -> Issued | None:
@@ -163,7 +179,7 @@ def _of_platform(part: PlatformPart, people: _People) -> Issued | None:
     # Platforms number people and attempts by themselves: such a number is a student's id only where
     # the name beside it is that student's.
     own_number = part.identifier.isdecimal() and not part.is_named(entry.student.name)
-    return None if own_number else entry
+    return None if own_number else people.issued_to(part.identifier)
 
 
 def _contradiction(

@@ -19,19 +19,27 @@ def is_signed_as(identity: Identity, issued: Issued) -> bool:
     return hmac.compare_digest(identity.signature.encode(), issued.signature.encode())
 
 
-def version_made_for(identity: Identity | None, versions: Sequence[Issued]) -> Issued:
-    """Return the version that a workbook was made for; the last where none signed it.
+def version_made_for(
+    identity: Identity | None, versions: Sequence[Issued], named_as: str = ""
+) -> Issued:
+    """Return the version that a workbook was made for; where none signed it, the last of its id.
+
+    Of two ids that were joined each has its own sheet: joining says whose a work is, and nothing of
+    the sheet that it was made for.
 
     Args:
         identity: what the workbook says; None where it could not be read.
         versions: of one student, oldest first.
+        named_as: the id by which something else names the student, where the workbook names none;
+            empty for none.
     """
-    if identity is None:
-        return versions[-1]
-    signed = (one for one in versions if is_signed_as(identity, one))
-    # What was issued under another id was joined with the student's: it has no later version.
-    of_its_id = (one for one in reversed(versions) if one.issued_as == identity.student)
-    return next(signed, next(of_its_id, versions[-1]))
+    if identity is not None:
+        signed = (one for one in versions if is_signed_as(identity, one))
+        if (found := next(signed, None)) is not None:
+            return found
+    last = {one.signed_for: one for one in versions}
+    inside = "" if identity is None else identity.student
+    return last.get(inside) or last.get(named_as) or versions[-1]
 
 
 def versions_of(

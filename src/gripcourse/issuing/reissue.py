@@ -196,6 +196,7 @@ def _next_version(
         variant=variant,
         issued_on=terms.today,
         deadline=terms.deadline or entry.deadline,
+        own_deadline=None if terms.deadline else entry.own_deadline,
         signature=sign(terms.key, course_id, entry.student.id, variant, version),
         version=version,
         why=correction.why.strip(),

@@ -180,6 +180,8 @@ def _person_numbers(connection: Connection, course_id: str) -> dict[str, int]:
 
 def _issued_row(course: str, number: int, entry: Issued) -> _Row:
     variant = entry.variant
+    # The later day of another id counts as long as the two are joined, and is of that id's row.
+    deadline = entry.own_deadline or entry.deadline
     return {
         "course": course,
         "id": number,
@@ -191,7 +193,7 @@ def _issued_row(course: str, number: int, entry: Issued) -> _Row:
         "given": json.dumps(dict(variant.given), allow_nan=False),
         "signature": entry.signature,
         "issued_on": entry.issued_on.isoformat(),
-        "deadline": entry.deadline.isoformat() if entry.deadline else None,
+        "deadline": deadline.isoformat() if deadline else None,
         "declarations": entry.declarations or None,
         "issued_by": entry.issued_by or None,
         "why": entry.why or None,

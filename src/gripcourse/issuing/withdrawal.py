@@ -107,7 +107,12 @@ def with_joined(entry: Issued, others: Iterable[Issued]) -> Issued:
     joined = tuple(others)
     days = [one.deadline for one in (entry, *joined)]
     latest = None if None in days else max(day for day in days if day is not None)
-    return replace(entry, deadline=latest, joined=tuple(one.student for one in joined))
+    return replace(
+        entry,
+        deadline=latest,
+        own_deadline=None if entry.deadline == latest else entry.deadline,
+        joined=tuple(one.student for one in joined),
+    )
 
 
 def checked(

@@ -68,6 +68,7 @@ class Issued:
             empty.
         left: why the student is no longer in the course; empty for who is.
         joined: the same person as listed under ids that were joined with the student's.
+        own_deadline: what `deadline` is without those, where that is another day; else None.
     """
 
     student: Student
@@ -82,6 +83,7 @@ class Issued:
     issued_as: str = ""
     left: str = ""
     joined: tuple[Student, ...] = ()
+    own_deadline: date | None = None
 
     @property
     def signed_for(self) -> str:

@@ -6,10 +6,11 @@ from http import HTTPStatus
 from typing import Final
 
 from starlette.applications import Starlette
+from starlette.concurrency import run_in_threadpool
 from starlette.requests import Request
 from starlette.responses import FileResponse, RedirectResponse, Response
 from starlette.routing import Mount, Route
-from starlette.types import ASGIApp
+from starlette.types import ASGIApp, Receive, Scope, Send
 
 from gripcourse.machine.resources import template_file
 from gripcourse.text.words import message
@@ -78,4 +79,15 @@ def make_app(site: Site, further: Sequence[Route] = ()) -> ASGIApp:
     ]
     app = Starlette(routes=routes, exception_handlers=fault_handlers(said), lifespan=alive)
     app.router.redirect_slashes = False
-    return Guard(app, secure=site.secure)
+    return Guard(_following(app, site), secure=site.secure)
+
+
+def _following(app: ASGIApp, site: Site) -> ASGIApp:
+    """Let every request be answered by the course as its files say now."""
+
+    async def followed(scope: Scope, receive: Receive, send: Send) -> None:
+        if scope["type"] == "http" and site.living.is_due:
+            await run_in_threadpool(site.look)
+        await app(scope, receive, send)
+
+    return followed

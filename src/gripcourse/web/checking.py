@@ -78,5 +78,10 @@ def make_checkers(
     context: DeskContext, workers: int, pool: Pool | None = PROCESSES
 ) -> StandingWorkers:
     """Make the workers of a server; see `StandingWorkers`."""
-    shared = (context.course, context.policy)
+    shared = shared_with_checkers(context)
     return StandingWorkers(work, shared, workers=workers, seconds=SECONDS, pool=pool)
+
+
+def shared_with_checkers(context: DeskContext) -> tuple[Course, Policy]:
+    """Return what the workers of a server know of its course."""
+    return context.course, context.policy

@@ -23,7 +23,13 @@ from gripcourse.usecases.serving.hand_in import kept_path, may_count
 from gripcourse.usecases.serving.taken import hand_ins_by_person
 from gripcourse.web.acts import reason
 from gripcourse.web.batch import LastBatch
-from gripcourse.web.refusals import NOT_FOUND, Code, WebRefusal, unless_in_conflict
+from gripcourse.web.refusals import (
+    NOT_FOUND,
+    Code,
+    WebRefusal,
+    refusal_until_mended,
+    unless_in_conflict,
+)
 from gripcourse.web.site import Site
 
 _log = logging.getLogger(__name__)
@@ -44,6 +50,8 @@ def begin_batch(site: Site, by: str, why: str) -> WebRefusal | None:
     """Begin to grade the workbooks of everybody that may count; None where it has begun."""
     if site.graded is None:
         return NOT_FOUND
+    if (refused := unless_usable(site)) is not None:
+        return refused
     with site.own_batch.lock:
         now = grading_now(site, site.graded)
         if site.own_batch.runs or (now.runs and not now.silent):
@@ -119,8 +127,18 @@ def keep_mark(site: Site, by: str, draft: Draft, seen: str | None) -> Marking | 
     return enter_mark(draft, grading, place, by, site.clock())
 
 
-def regrading_now(site: Site) -> Regrading:
+def unless_usable(site: Site) -> WebRefusal | None:
+    """Refuse to grade by files that cannot be used now; None where they can.
+
+    A batch reads them itself, and what is graded is kept with their fingerprints.
+    """
+    return None if not site.living.faults else refusal_until_mended(site.living.faults[0])
+
+
+def regrading_now(site: Site) -> Regrading | WebRefusal:
     """Grade everything that was handed in by today's course and policy; nothing counts yet."""
+    if (refused := unless_usable(site)) is not None:
+        return refused
     context = site.context
     grading, place = grading_of(context.course, context.policy), home_of(context.course.root)
     # A file is never opened by the server itself, but where a test wants everything in one process.
@@ -145,6 +163,8 @@ def apply_shown(
 ) -> tuple[Attempt, ...] | WebRefusal:
     """Let a regrade count, if it still comes to what was shown."""
     found = regrading_now(site)
+    if isinstance(found, WebRefusal):
+        return found
     if seen != digest_of_changes(found):
         return _OTHER_BY_NOW
     place = home_of(site.context.course.root)

@@ -12,7 +12,7 @@ from typing import Final, TypeVar
 from starlette.exceptions import HTTPException
 
 from gripcourse.access.desk.links import Refused
-from gripcourse.errors import GradebookError, GripcourseError, system_problem
+from gripcourse.errors import GradebookError, GripcourseError, Problem, system_problem
 from gripcourse.text.words import Message, message
 
 _log = logging.getLogger(__name__)
@@ -154,6 +154,18 @@ def refusal_of_problem(error: GripcourseError, code: Code) -> WebRefusal:
     problem = error.problems[0]
     said = message("{what} {remedy}", what=problem.what, remedy=problem.remedy)
     return WebRefusal(code, said)
+
+
+def refusal_until_mended(fault: Problem) -> WebRefusal:
+    """Say that nothing is graded as long as a file of the course cannot be used."""
+    place = message("{file}: {key}", file=fault.file, key=fault.key) if fault.key else fault.file
+    said = message(
+        "{place}: {what} {remedy} Nothing is graded until this is mended.",
+        place=place,
+        what=fault.what,
+        remedy=fault.remedy,
+    )
+    return WebRefusal(Code.CONFLICT, said)
 
 
 def unless_in_conflict(act: Callable[[], Made]) -> Made | WebRefusal:

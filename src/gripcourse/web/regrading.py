@@ -40,7 +40,8 @@ def regrading(seat: Seat) -> Response:
 
 def regrading_preview(seat: Seat) -> Response:
     """Grade everything that was handed in again, and show what would change."""
-    return _page(seat, regrading_now(seat.site))
+    found = regrading_now(seat.site)
+    return seat.refuse(found) if isinstance(found, WebRefusal) else _page(seat, found)
 
 
 def regrading_applied(seat: Seat) -> Response:

@@ -20,6 +20,7 @@ from gripcourse.web.site import Site
 from gripcourse.web.uploads import Sent, read_form
 
 COOKIE: Final = "gripcourse-desk"
+_FAULTS: Final = 10  # of the course's files, that a page names
 _PURPOSE: Final = b"gripcourse form 1"
 
 
@@ -64,6 +65,7 @@ class Seat:
             "who": self.name,
             "form_key": self.form_key,
             "grades": self.site.graded is not None,
+            "faults": [one.say(self.words) for one in self.site.living.faults[:_FAULTS]],
             "platforms": platforms_path(self.site.context.course.root).is_file(),
         }
         return page(self.site, self.request, name, self.words, all_have | values)

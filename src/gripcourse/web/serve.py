@@ -12,7 +12,7 @@ from gripcourse.access.lti.platforms import platforms_path
 from gripcourse.errors import Problem, UsageError
 from gripcourse.machine.files import make_private_folder
 from gripcourse.text.words import message
-from gripcourse.usecases.serving.desk import DeskContext
+from gripcourse.usecases.serving.living import LivingCourse
 from gripcourse.web.app import make_app
 from gripcourse.web.checking import make_checkers
 from gripcourse.web.site import Site
@@ -39,11 +39,11 @@ class Serving:
     workers: int
 
 
-def make_site(context: DeskContext, serving: Serving) -> Site:
+def make_site(living: LivingCourse, serving: Serving) -> Site:
     """Make what the pages are made from."""
     return Site(
-        context=context,
-        checkers=make_checkers(context, max(1, serving.workers)),
+        living=living,
+        checkers=make_checkers(living.context, max(1, serving.workers)),
         clock=lambda: datetime.now(UTC),
         assignments=serving.assignments,
         graded=serving.graded,
@@ -84,7 +84,7 @@ def platform_routes(site: Site, serving: Serving) -> list[Route]:
     return [*lti_routes(site, serving.address), *people_routes(site)]
 
 
-def serve(context: DeskContext, serving: Serving) -> None:
+def serve(living: LivingCourse, serving: Serving) -> None:
     """Serve until the process is told to stop.
 
     Raises:
@@ -94,7 +94,7 @@ def serve(context: DeskContext, serving: Serving) -> None:
 
     from gripcourse.web.connections import EndingProtocol  # noqa: PLC0415 (likewise)
 
-    site = make_site(context, serving)
+    site = make_site(living, serving)
     # No log of addresses: a personal link in a log is a key in a log.
     uvicorn.run(
         make_app(site, platform_routes(site, serving)),

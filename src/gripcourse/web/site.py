@@ -10,7 +10,9 @@ from anyio import CapacityLimiter
 
 from gripcourse.machine.jobs.standing import StandingWorkers
 from gripcourse.usecases.serving.desk import DeskContext
+from gripcourse.usecases.serving.living import LivingCourse
 from gripcourse.web.batch import BatchReader, OwnBatch
+from gripcourse.web.checking import shared_with_checkers
 from gripcourse.web.queues import Uploads
 from gripcourse.web.rates import Counter
 
@@ -22,7 +24,7 @@ class Site:
     """A server for one course.
 
     Attributes:
-        context: the course and its desk.
+        living: the course and its desk, as its files say now.
         checkers: workers that read what students upload.
         clock: the time with its zone.
         assignments: the folder that issuing wrote; None where sheets are handed out otherwise.
@@ -35,7 +37,7 @@ class Site:
         uploads: files that are on their way.
     """
 
-    context: DeskContext
+    living: LivingCourse
     checkers: StandingWorkers
     clock: Callable[[], datetime]
     assignments: Path | None = None
@@ -46,3 +48,12 @@ class Site:
     own_batch: OwnBatch = field(default_factory=OwnBatch)
     waiting: CapacityLimiter = field(default_factory=lambda: CapacityLimiter(_MOST_WAITING))
     uploads: Uploads = field(default_factory=Uploads)
+
+    @property
+    def context(self) -> DeskContext:
+        """The course and its desk; another one as soon as somebody saw its files change."""
+        return self.living.context
+
+    def look(self) -> None:
+        """See whether the files of the course are others, and go on with what they say."""
+        self.living.look(lambda now: self.checkers.renew(shared_with_checkers(now)))

@@ -14,6 +14,8 @@ from gripcourse.machine.jobs.standing import StandingWorkers
 def work(item: str, shared: str) -> str:
     if item == "die":
         os._exit(7)
+    if item == "wait":
+        time.sleep(1)
     if item == "fail":
         raise ValueError(item)
     return f"{shared} {item} {os.getpid()}"
@@ -55,3 +57,19 @@ def test_without_workers_it_is_done_here() -> None:
     assert here.do("one") == f"did one {os.getpid()}"
     assert isinstance(here.do("fail"), Lost)
     here.close()
+
+
+def test_what_workers_share_is_renewed_and_a_job_in_hand_is_done_to_its_end() -> None:
+    opened = StandingWorkers(work, "did", workers=1, seconds=20)
+    first, found = opened.do("one"), list[object]()
+    asking = threading.Thread(target=lambda: found.append(opened.do("wait")))
+    asking.start()
+    time.sleep(0.2)  # for the job to begin
+    opened.renew("does")
+    after = opened.do("two")
+    asking.join()
+    assert isinstance(after, str)
+    assert after.startswith("does two ")
+    assert after.split()[-1] != first.split()[-1]
+    assert found == [first.replace("one", "wait")]
+    opened.close()

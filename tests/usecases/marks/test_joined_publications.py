@@ -280,3 +280,37 @@ def test_a_mark_is_entered_against_the_work_under_whatever_id_that_is_kept(
     kept = existing_gradebook(office.place).entries()
     assert {(one.mark.student, one.mark.quantity) for one in kept} == {("s03", DRAWING)}
     assert [one.mark.credit for one in kept] == [1.0, 0.5, None]
+
+
+def counting(office: Office) -> list[str]:
+    """What joining, or taking it back, says of the works that count."""
+    return [str(one) for one in office.join().notes if "counts from now on" in str(one)]
+
+
+def test_that_another_work_counts_is_said_when_two_are_joined_and_are_two_again(
+    office: Office, works: dict[str, Path]
+) -> None:
+    """Of both works the later one counts, of which the person has less than before."""
+    (first,), (second,) = office.grade(works["s01"]), office.grade(works["s03"])
+    of_first = f"s01.xlsx {first.score:.4g} / {first.max_score:.4g}"
+    of_second = f"s03.xlsx {second.score:.4g} / {second.max_score:.4g}"
+    (said,) = counting(office)
+    assert f"Before: s01 {of_first}; s03 {of_second}. Now: s01 {of_second}." in said
+    notes = [str(one) for one in office.join(undo=True).notes]
+    assert f"Before: s01 {of_second}. Now: s01 {of_first}; s03 {of_second}." in notes[-1]
+
+
+def test_nothing_is_said_of_a_work_that_only_changes_hands(
+    office: Office, works: dict[str, Path]
+) -> None:
+    office.grade(works["s03"])
+    assert counting(office) == []
+
+
+def test_ids_are_joined_though_the_policy_cannot_be_used(
+    office: Office, works: dict[str, Path]
+) -> None:
+    office.grade(works["s01"], works["s03"])
+    (office.root / "grader" / "policy.toml").write_text("[credit]\ncarried = 7\n")
+    assert counting(office) == []
+    assert register_of(office.root).joins

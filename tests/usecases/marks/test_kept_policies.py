@@ -1,11 +1,13 @@
 """The policy that works were graded by is kept, so that what changed in it can be named."""
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, replace
 from datetime import UTC, datetime, timedelta
+from io import BytesIO
 from pathlib import Path
 from shutil import copytree
 from typing import TYPE_CHECKING
+from zipfile import ZipFile
 
 import pytest
 
@@ -130,3 +132,43 @@ def test_where_none_can_be_kept_works_are_graded_all_the_same(department: Depart
     department.grade()
     department.carried(0.25)
     assert [one.lines for one in department.regrade().policies] == [None]
+
+
+def _cut(content: bytes) -> bytes:
+    return content[:-30]
+
+
+def _of_another_method(content: bytes) -> bytes:
+    """A bit of the first file's method of packing is another, in the list at the end."""
+    place = content.rindex(b"PK\x01\x02") + 10
+    return content[:place] + bytes([content[place] ^ 64]) + content[place + 1 :]
+
+
+def _of_another_policy(_: bytes) -> bytes:
+    stream = BytesIO()
+    with ZipFile(stream, "w") as archive:
+        archive.writestr("grader/policy.toml", "[credit]\ncarried = 0.125\n")
+    return stream.getvalue()
+
+
+@pytest.mark.parametrize(
+    "damaged", [_cut, _of_another_method, _of_another_policy, lambda _: b"", lambda _: b"PK"]
+)
+def test_a_damaged_one_is_kept_again_while_it_is_todays(
+    department: Department, damaged: Callable[[bytes], bytes]
+) -> None:
+    (path,) = department.kept
+    whole = path.read_bytes()
+    path.write_bytes(damaged(whole))
+    department.grade()
+    assert path.read_bytes() == whole
+    department.carried(0.5)
+    assert [one.lines for one in department.regrade().policies] == [(HALF,)]
+
+
+def test_a_whole_one_is_not_written_again(department: Department) -> None:
+    (path,) = department.kept
+    before = path.stat()
+    department.grade()
+    after = path.stat()
+    assert (after.st_ino, after.st_mtime_ns) == (before.st_ino, before.st_mtime_ns)

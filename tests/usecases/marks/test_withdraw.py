@@ -2,7 +2,7 @@
 
 import shutil
 from dataclasses import replace
-from datetime import UTC, datetime, timedelta
+from datetime import UTC, date, datetime, timedelta
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -187,22 +187,65 @@ def no_documents(_context: IssuingContext, entry: Issued) -> Handout:
     return Handout(entry.student.id, (), ())
 
 
+def reissued_to(
+    root: Path, issued: "Classroom", student: str, variant: str, out: Path, deadline: date | None
+) -> None:
+    """Issue anew on the day on which a test joins; without a day everybody's own is kept."""
+    order = CorrectedOrder(
+        Correction((student,), variant, "Опечатка", "Петров"),
+        issued.order.table,
+        out,
+        NOW.date(),
+        deadline,
+    )
+    course = replace(issued.course, root=root)
+    reissue_order(course, issued.policy, order, 0, lambda _: None, issue_one=no_documents)
+
+
 def test_who_is_named_by_the_second_id_is_issued_anew_as_the_person(
     issued: "Classroom", root: Path, tmp_path: Path
 ) -> None:
     join(root)
-    correction, made = Correction(("s03",), "005", "Опечатка", "Петров"), issued.order
-    order = CorrectedOrder(correction, made.table, tmp_path / "corrected", made.today, None)
-    reissue_order(
-        replace(issued.course, root=root),
-        issued.policy,
-        order,
-        0,
-        lambda _: None,
-        issue_one=no_documents,
-    )
+    reissued_to(root, issued, "s03", "005", tmp_path / "corrected", None)
     versions = register_of(root).versions()["s01"]
     assert [(one.issued_as, one.version) for one in versions] == [("s03", 1), ("", 1), ("", 2)]
+
+
+def test_a_version_that_was_issued_while_two_were_joined_leaves_each_their_own_day(
+    issued: "Classroom", root: Path, tmp_path: Path
+) -> None:
+    """The later day of the second id counts as long as they are one person, and no longer."""
+    reissued_to(root, issued, "s03", "006", tmp_path / "later", date(2026, 12, 20))
+    join(root)
+    reissued_to(root, issued, "s01", "005", tmp_path / "corrected", None)
+    person = register_of(root).by_student()["s01"]
+    assert (person.version, person.deadline) == (2, date(2026, 12, 20))
+    assert open_grading(root).register["s01"].deadline == date(2026, 12, 20)
+    notes = join(root, undo=True)
+    entries = register_of(root).by_student()
+    assert [entries[one].deadline for one in ("s01", "s03")] == [
+        date(2026, 12, 1),
+        date(2026, 12, 20),
+    ]
+    assert "s01 has the deadline 2026-12-01 again" in notes[1]
+    assert "version 2 was issued meanwhile and says 2026-12-20" in notes[1]
+
+
+def test_a_day_that_is_named_for_a_version_stays(
+    issued: "Classroom", root: Path, tmp_path: Path
+) -> None:
+    join(root)
+    reissued_to(root, issued, "s01", "005", tmp_path / "corrected", date(2026, 12, 30))
+    assert not any("deadline" in note for note in join(root, undo=True))
+    assert register_of(root).by_student()["s01"].deadline == date(2026, 12, 30)
+
+
+def test_a_later_day_that_is_no_longer_a_persons_is_said(
+    issued: "Classroom", root: Path, tmp_path: Path
+) -> None:
+    reissued_to(root, issued, "s03", "006", tmp_path / "later", date(2026, 12, 20))
+    join(root)
+    assert "s01 has the deadline 2026-12-01 again, not 2026-12-20." in join(root, undo=True)
 
 
 def test_nobody_is_joined_with_an_id_that_is_joined_itself(root: Path) -> None:

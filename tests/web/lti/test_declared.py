@@ -6,6 +6,7 @@ from pathlib import Path
 import pytest
 
 from gripcourse.access.lti.platforms import add_platform, load_platforms, platforms_path
+from gripcourse.usecases.serving.living import LivingCourse
 from gripcourse.web.serve import Serving, platform_routes
 from support.lti_attempt import attempt, says, with_header
 from support.lti_course import LtiCourse
@@ -118,7 +119,7 @@ def test_a_server_has_the_way_in_where_a_platform_is_declared(
         *("/desk/people", "/desk/people"),
     ]
     elsewhere = replace(school.context.course, root=tmp_path)
-    other = replace(site, context=replace(school.context, course=elsewhere))
+    other = replace(site, living=LivingCourse(replace(school.context, course=elsewhere)))
     assert platform_routes(other, serving) == []
 
 

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import pytest
 from starlette.testclient import TestClient
 
+from gripcourse.usecases.serving.living import LivingCourse
 from gripcourse.usecases.serving.sign_in import offer_sign_in, sign_in
 from gripcourse.web.app import make_app
 from gripcourse.web.checking import make_checkers
@@ -31,7 +32,7 @@ class Api:
         server = self.server
         return make_app(
             Site(
-                context=server.context,
+                living=LivingCourse(server.context),
                 checkers=make_checkers(server.context, 1, None),
                 clock=server.clock,
                 assignments=server.classroom.order.out,

@@ -9,7 +9,7 @@ from typing import Final
 
 from sqlalchemy import Connection, inspect, text
 
-REVISIONS: Final = ("1", "2", "3", "4", "5", "6", "7", "8", "9")
+REVISIONS: Final = ("1", "2", "3", "4", "5", "6", "7", "8", "9", "10")
 """All that this program knows, oldest first; a module for each stands in `migrations.versions`."""
 
 NEWEST: Final = REVISIONS[-1]

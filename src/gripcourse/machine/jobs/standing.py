@@ -8,6 +8,7 @@ import threading
 import uuid
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
+from dataclasses import replace
 from typing import Any
 
 from gripcourse.machine.jobs.lost import Lost
@@ -69,6 +70,17 @@ class StandingWorkers:
             )
             ((_, outcome),) = jobs
         return outcome
+
+    def renew(self, shared: object) -> None:
+        """Let the jobs that are asked for from now on share something else.
+
+        What is being done is done to its end, by what it began with.
+        """
+        with self._lock:
+            self.task = replace(self.task, shared=shared)
+            opened, self._opened = self._opened, None
+        if opened is not None:
+            opened.shutdown(wait=False)
 
     def close(self) -> None:
         """Let the workers go."""

@@ -171,5 +171,5 @@ def open_earlier(
         if old not in {results, folder / _PRINTED}:
             shutil.rmtree(old, ignore_errors=True)
     made_with = digest_of_texts([versions, repr(day)])
-    reports = KeptReports(results, context.whose, context.answered)
+    reports = KeptReports(results, context.whose, context.answered, context.said)
     return Earlier(reports, PrintedBefore(folder / _PRINTED, made_with))

@@ -39,9 +39,7 @@ def keep_declarations(root: Path) -> str:
     Raises:
         OSError: a file cannot be read or written.
     """
-    fingerprint = fingerprints(root).course
-    keep_files(root, _KIND, fingerprint, chain(declaring_files(root), _rubrics(root)))
-    return fingerprint
+    return keep_files(root, _KIND, _fingerprint, chain(declaring_files(root), _rubrics(root)))
 
 
 def kept_declarations(
@@ -98,14 +96,18 @@ def _superseded(last: Mapping[str, Issued], earlier: Iterable[Issued]) -> Iterat
             yield one.declarations
 
 
+def _fingerprint(root: Path) -> str:
+    return fingerprints(root).course
+
+
 def _rubrics(root: Path) -> Iterable[Path]:
     """Return what items that persons mark name; the rest of the policy is always today's."""
     return sorted((root / RUBRICS).glob("*.toml"))
 
 
 def _loaded(root: Path, fingerprint: str) -> Course | None:
-    with kept_files(root, _KIND, fingerprint) as folder:
-        if folder is None or fingerprints(folder).course != fingerprint:
+    with kept_files(root, _KIND, fingerprint, _fingerprint) as folder:
+        if folder is None:
             return None
         try:
             return replace(load_course(folder), root=root)

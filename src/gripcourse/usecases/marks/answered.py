@@ -1,22 +1,30 @@
-"""Whose files were when they were graded before: who was asked once need not answer again."""
+"""Whose files are as was said or found before: who was asked once need not answer again."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
-from pathlib import PurePath
+from datetime import datetime
 
 from gripcourse.batch.context import GradingContext
-from gripcourse.gradebook.store import open_gradebook
+from gripcourse.batch.graded import Graded, reports_of
+from gripcourse.gradebook.store import Gradebook, open_gradebook
+from gripcourse.gradebook.words import (
+    End,
+    WhoseWord,
+    end_of,
+    keep_words,
+    students_by_file,
+    words_of,
+)
 from gripcourse.machine.content import Readable, shown_name
 from gripcourse.machine.database.home import exists
-
-_PARTS = 2  # of a path that tell a file: somebody's folder, or what was downloaded, and its name
 
 
 def with_answers(context: GradingContext, place: str, files: Iterable[Readable]) -> GradingContext:
     """Return the context that knows whose the files of a batch were when they were graded before.
 
-    It counts only where nothing else tells whose one is: then a person said so. A file is the same
-    if the end of its path is, and what it holds.
+    What a person said goes before the name of a file. Of what was graded before words were kept
+    nobody knows whether its name told it: that counts only where nothing else tells whose a file
+    is, for then a person said so. A file is the same if the end of its path is, and what it holds.
 
     Args:
         context: of the course.
@@ -28,19 +36,43 @@ def with_answers(context: GradingContext, place: str, files: Iterable[Readable])
     """
     if not exists(place):
         return context
-    before = _whose(open_gradebook(place).files(), context.joined)
-    names = ((shown_name(file), _end(shown_name(file))) for file in files)
-    return replace(context, answered={name: before[end] for name, end in names if end in before})
+    book = open_gradebook(place)
+    names = [shown_name(file) for file in files]
+    said = ((one.student, one.file, one.digest) for one in words_of(book))
+    return replace(
+        context,
+        answered=_of_names(names, students_by_file(book.files())),
+        said=_of_names(names, students_by_file(said)),
+    )
 
 
-def _whose(
-    attempts: Iterable[tuple[str, str, str]], joined: Mapping[str, str]
-) -> Mapping[tuple[str, ...], tuple[str, str]]:
-    """Return digest and student by the end of a path; of several the last one."""
-    return {
-        _end(file): (digest, joined.get(student, student)) for student, file, digest in attempts
-    }
+def keep_said(
+    graded: Sequence[Graded], context: GradingContext, book: Gradebook, now: datetime
+) -> None:
+    """Keep what a person said of whose files of a batch are.
+
+    Args:
+        graded: the batch.
+        context: that it was graded with.
+        book: the gradebook.
+        now: when the batch was graded.
+
+    Raises:
+        GradebookError: the gradebook cannot be used.
+    """
+    if context.whose:
+        keep_words(
+            book,
+            (
+                WhoseWord(one.file, one.digest, context.whose[one.file], now)
+                for one in reports_of(graded)
+                if one.digest and one.file in context.whose
+            ),
+        )
 
 
-def _end(file: str) -> tuple[str, ...]:
-    return PurePath(file).parts[-_PARTS:]
+def _of_names(
+    names: Iterable[str], known: Mapping[End, Mapping[str, str]]
+) -> dict[str, Mapping[str, str]]:
+    ends = ((name, end_of(name)) for name in names)
+    return {name: known[end] for name, end in ends if end in known}

@@ -30,6 +30,7 @@ from gripcourse.grading.model import FlagCode, Report
 from gripcourse.machine.database.home import exists
 from gripcourse.machine.database.opening import demand_writing
 from gripcourse.policy.time_rules import Counts
+from gripcourse.usecases.marks.answered import keep_said
 from gripcourse.usecases.marks.attempt_times import doubts_about_time, to_keep
 from gripcourse.usecases.marks.handed_in import HandingTime
 from gripcourse.usecases.marks.kept_policies import keep_policy
@@ -109,6 +110,7 @@ def keep(
         marked=book.marked_students(),
         taken=order_of_works(Desk(book.engine, context.course.id), context.joins),
     )
+    keep_said(graded, context, book, now)
     left = iter(places)
     portions = iter(lambda: tuple(islice(left, _STUDENTS_AT_ONCE)), ())
     changes = (_kept(keeping, students, places, graded) for students in portions)

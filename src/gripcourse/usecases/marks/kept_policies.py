@@ -44,7 +44,7 @@ def keep_policy(root: Path) -> None:
     """
     if (root / "private").is_dir():
         with suppress(OSError):
-            keep_files(root, _KIND, fingerprints(root).policy, policy_files(root))
+            keep_files(root, _KIND, _fingerprint, policy_files(root))
 
 
 def policy_changes(root: Path, graded_by: Iterable[str]) -> tuple[PolicyChange, ...]:
@@ -100,10 +100,13 @@ def changed_by_attempt(
 
 def _kept(root: Path, fingerprint: str) -> Mapping[str, bytes] | None:
     # Why a regrade changes something is no reason to fail.
-    with suppress(OSError), kept_files(root, _KIND, fingerprint) as folder:
-        if folder is not None and fingerprints(folder).policy == fingerprint:
-            return _contents(folder)
+    with suppress(OSError), kept_files(root, _KIND, fingerprint, _fingerprint) as folder:
+        return None if folder is None else _contents(folder)
     return None
+
+
+def _fingerprint(root: Path) -> str:
+    return fingerprints(root).policy
 
 
 def _contents(root: Path) -> dict[str, bytes]:

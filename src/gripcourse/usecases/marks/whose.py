@@ -27,7 +27,8 @@ def read_whose(
         joined: by id that was joined with another's, the id of the student.
 
     Returns:
-        The student of each file that is decided, by the whole name of the file.
+        By the whole name of each file that is decided the id that is written, which tells the sheet
+        as well.
 
     Raises:
         UsageError: with every decision that cannot be used.
@@ -39,11 +40,10 @@ def read_whose(
     for one in written:
         # A file may hold an equals sign in its name, an id does not.
         file, _, student = (part.strip() for part in one.rpartition("="))
-        student = joined.get(student, student)
         found = [file] if file in whole else [name for name in names if _ends_so(name, file)]
         if not file or not student:
             what = message("'{text}' is no file with its student.", text=one)
-        elif student not in students:
+        elif joined.get(student, student) not in students:
             what = message("The register has no student '{student}'.", student=student)
         elif len(found) != 1:
             what = message(

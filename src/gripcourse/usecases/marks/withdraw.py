@@ -15,6 +15,7 @@ from gripcourse.issuing.store import extend_register, read_register
 from gripcourse.issuing.withdrawal import Join, Withdrawal, checked, joins_of, standing
 from gripcourse.machine.database.home import exists
 from gripcourse.text.words import Message, counted, message
+from gripcourse.usecases.marks.join_said import counted_now, counting_said, deadline_said
 
 
 @dataclass(frozen=True, slots=True)
@@ -66,15 +67,23 @@ def withdraw(wanted: Withdrawal, root: Path, place: str) -> Withdrawn:
     if not wanted.undone:
         # What was decided of either before is not a decision between both.
         wanted = replace(wanted, at=joining_after(entries, attempts, wanted.at))
+    both = (wanted.student, person)
+    counting_before = {} if book is None else counted_now(root, place, both)
     extended = extend_register(root, course, change)
     if not person:
         return Withdrawn(extended.notes)
+    counting_now = {} if book is None else counted_now(root, place, both)
+    others_count = counting_said(counting_before, counting_now)
     joins = joins_of((*before.withdrawals, wanted))
     marks = marks_of_persons(entries, joins)
     if wanted.undone:
         given = latest_marks(one for one in marks if one.mark.student == wanted.student)
-        notes = (*_given_back(wanted.student, given), *_told_of(book, wanted, "", joins))
-        return Withdrawn((*extended.notes, *notes))
+        notes = (
+            *deadline_said(wanted, person, before),
+            *_given_back(wanted.student, given),
+            *_told_of(book, wanted, "", joins),
+        )
+        return Withdrawn((*extended.notes, *notes, *others_count))
     counting = latest_marks(one for one in marks if one.mark.student == person)
     of_this = family({wanted.student}, joins)
     carried = [name for name, one in counting.items() if one.mark.kept_as in of_this]
@@ -89,6 +98,7 @@ def withdraw(wanted: Withdrawal, root: Path, place: str) -> Withdrawn:
             *extended.notes,
             *_carried(wanted, carried),
             *_told_of(book, wanted, person, joins),
+            *others_count,
             *twice,
             *(_dispute(counting[name]) for name in disputed),
         ),

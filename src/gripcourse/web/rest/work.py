@@ -125,9 +125,11 @@ def regrades_that_stand(call: DeskCall) -> RegradesResult:
     return RegradesResult(tuple(map(_regrade, applied(regrades(book)))))
 
 
-def show_regrading(call: DeskCall) -> RegradingResult:
+def show_regrading(call: DeskCall) -> RegradingResult | WebRefusal:
     """What today's course and policy would change about everything that was handed in."""
     found = regrading_now(call.site)
+    if isinstance(found, WebRefusal):
+        return found
     counts = {one: len(found.going(one)) for one in Shift}
     return RegradingResult(
         seen=digest_of_changes(found),
@@ -211,7 +213,9 @@ WORK_OPERATIONS: Final = (
         status=HTTPStatus.ACCEPTED,
     ),
     ApiOperation("GET", _REGRADING, _DESK, regrades_that_stand, RegradesResult),
-    ApiOperation("POST", _REGRADING, _DESK, show_regrading, RegradingResult),
+    ApiOperation(
+        *("POST", _REGRADING, _DESK, show_regrading, RegradingResult), refuses=(Code.CONFLICT,)
+    ),
     ApiOperation(
         *("POST", f"{_REGRADING}/apply", _DESK, apply_regrading, RegradesResult),
         takes=RegradingWish,
