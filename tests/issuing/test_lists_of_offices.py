@@ -150,3 +150,33 @@ def test_text_of_two_bytes_a_letter_needs_no_mark(encoding: str) -> None:
 def test_whose_names_they_are_may_stand_in_the_heading(heading: str) -> None:
     (student,) = listed(f"№;{heading};Назва групи", "1;Яшин Лев;A").students
     assert (student.name, student.group) == ("Яшин Лев", "A")
+
+
+class TestWhoHasLeft:
+    """A mark of an office is told by name; it takes an assignment from nobody."""
+
+    @pytest.mark.parametrize(
+        ("heading", "marked", "others"),
+        [
+            ("Отчислен", "да", ["нет", ""]),
+            ("Отчислен", "01.09.2026", ["-", ""]),
+            ("Відраховано", "так", ["ні", ""]),
+            ("Статус", "Отчислен", ["Является студентом", ""]),
+            ("Стан", "відраховано", ["навчається", ""]),
+        ],
+    )
+    def test_it_is_named_and_taken_over(
+        self, heading: str, marked: str, others: Sequence[str]
+    ) -> None:
+        roster = listed(
+            f"ФИО;Группа;{heading}",
+            f"Иванова Анна;A;{others[0]}",
+            f"Петров Пётр;A;{marked}",
+            f"Ким Лев;A;{others[1]}",
+        )
+        assert len(roster.students) == 3
+        assert f"taken over all the same: 3 (Петров Пётр {heading}: {marked})." in said(roster)
+
+    def test_a_list_in_which_everybody_stays_says_nothing(self) -> None:
+        roster = listed("ФИО;Группа;Отчислен", "Иванова Анна;A;нет", "Ким Лев;A")
+        assert "who have left" not in said(roster)
