@@ -17,7 +17,11 @@ def listed(*lines: str, encoding: str = "utf-8") -> Roster:
 
 
 def workbook(
-    *rows: Sequence[str | int | date], merged: str = "", hidden: int = 0, shown_as: str = ""
+    *rows: Sequence[str | int | date],
+    merged: str = "",
+    hidden: int = 0,
+    hidden_column: str = "",
+    shown_as: str = "",
 ) -> NamedBytes:
     book = openpyxl.Workbook()
     sheet = book.active
@@ -28,6 +32,8 @@ def workbook(
         sheet.merge_cells(merged)
     if hidden:
         sheet.row_dimensions[hidden].hidden = True
+    if hidden_column:
+        sheet.column_dimensions[hidden_column].hidden = True
     for cell in next(sheet.iter_cols(max_col=1)):
         cell.number_format = shown_as or cell.number_format
     content = io.BytesIO()
@@ -115,6 +121,21 @@ def test_an_id_with_strokes_and_blanks_is_kept_as_a_folder_is_called() -> None:
 def test_an_id_has_the_noughts_that_its_format_shows() -> None:
     roster = read_roster(workbook(["№ зачётки", "ФИО"], [123, "Иванов Иван"], shown_as="000000"))
     assert [one.id for one in roster.students] == ["000123"]
+
+
+@pytest.mark.parametrize(("column", "heading"), [("B", "Группа"), ("C", "Почта"), ("D", "")])
+def test_hidden_columns_that_hold_anything_are_read_and_named(column: str, heading: str) -> None:
+    roster = read_roster(
+        workbook(
+            ["ФИО", "Группа", "Почта"],
+            ["Иванов Иван", "A", "i@x.example"],
+            ["Яшин Лев", "B", "l@x.example"],
+            hidden_column=column,
+        )
+    )
+    assert people(roster) == [("Иванов Иван", "A"), ("Яшин Лев", "B")]
+    note = f"columns that are hidden in the sheet 'Sheet' were read like all others: {heading}."
+    assert (note in said(roster)) == bool(heading)
 
 
 def test_hidden_rows_are_read_and_named() -> None:
