@@ -17,7 +17,11 @@ def listed(*lines: str, encoding: str = "utf-8") -> Roster:
 
 
 def workbook(
-    *rows: Sequence[str | int | date], merged: str = "", hidden: int = 0, shown_as: str = ""
+    *rows: Sequence[str | int | date],
+    merged: str = "",
+    hidden: int = 0,
+    hidden_column: str = "",
+    shown_as: str = "",
 ) -> NamedBytes:
     book = openpyxl.Workbook()
     sheet = book.active
@@ -28,6 +32,8 @@ def workbook(
         sheet.merge_cells(merged)
     if hidden:
         sheet.row_dimensions[hidden].hidden = True
+    if hidden_column:
+        sheet.column_dimensions[hidden_column].hidden = True
     for cell in next(sheet.iter_cols(max_col=1)):
         cell.number_format = shown_as or cell.number_format
     content = io.BytesIO()
@@ -117,6 +123,21 @@ def test_an_id_has_the_noughts_that_its_format_shows() -> None:
     assert [one.id for one in roster.students] == ["000123"]
 
 
+@pytest.mark.parametrize(("column", "heading"), [("B", "Группа"), ("C", "Почта"), ("D", "")])
+def test_hidden_columns_that_hold_anything_are_read_and_named(column: str, heading: str) -> None:
+    roster = read_roster(
+        workbook(
+            ["ФИО", "Группа", "Почта"],
+            ["Иванов Иван", "A", "i@x.example"],
+            ["Яшин Лев", "B", "l@x.example"],
+            hidden_column=column,
+        )
+    )
+    assert people(roster) == [("Иванов Иван", "A"), ("Яшин Лев", "B")]
+    note = f"columns that are hidden in the sheet 'Sheet' were read like all others: {heading}."
+    assert (note in said(roster)) == bool(heading)
+
+
 def test_hidden_rows_are_read_and_named() -> None:
     roster = read_roster(
         workbook(["ФИО", "Группа"], ["Иванов Иван", "A"], ["Яшин Лев", "B"], hidden=2)
@@ -150,3 +171,33 @@ def test_text_of_two_bytes_a_letter_needs_no_mark(encoding: str) -> None:
 def test_whose_names_they_are_may_stand_in_the_heading(heading: str) -> None:
     (student,) = listed(f"№;{heading};Назва групи", "1;Яшин Лев;A").students
     assert (student.name, student.group) == ("Яшин Лев", "A")
+
+
+class TestWhoHasLeft:
+    """A mark of an office is told by name; it takes an assignment from nobody."""
+
+    @pytest.mark.parametrize(
+        ("heading", "marked", "others"),
+        [
+            ("Отчислен", "да", ["нет", ""]),
+            ("Отчислен", "01.09.2026", ["-", ""]),
+            ("Відраховано", "так", ["ні", ""]),
+            ("Статус", "Отчислен", ["Является студентом", ""]),
+            ("Стан", "відраховано", ["навчається", ""]),
+        ],
+    )
+    def test_it_is_named_and_taken_over(
+        self, heading: str, marked: str, others: Sequence[str]
+    ) -> None:
+        roster = listed(
+            f"ФИО;Группа;{heading}",
+            f"Иванова Анна;A;{others[0]}",
+            f"Петров Пётр;A;{marked}",
+            f"Ким Лев;A;{others[1]}",
+        )
+        assert len(roster.students) == 3
+        assert f"taken over all the same: 3 (Петров Пётр {heading}: {marked})." in said(roster)
+
+    def test_a_list_in_which_everybody_stays_says_nothing(self) -> None:
+        roster = listed("ФИО;Группа;Отчислен", "Иванова Анна;A;нет", "Ким Лев;A")
+        assert "who have left" not in said(roster)

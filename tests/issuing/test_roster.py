@@ -115,7 +115,9 @@ OFFICE = (
 )
 
 
-@pytest.mark.parametrize("encoding", ["utf-8", "utf-8-sig", "utf-16", "cp1251", "koi8_u"])
+@pytest.mark.parametrize(
+    "encoding", ["utf-8", "utf-8-sig", "utf-16", "cp1251", "koi8_u", "mac_cyrillic"]
+)
 def test_an_office_list_is_taken_as_it_is(tmp_path: Path, encoding: str) -> None:
     text = "\r\n".join(OFFICE).replace("№", "N" if encoding == "koi8_u" else "№")
     path = tmp_path / "list.csv"
@@ -128,7 +130,29 @@ def test_an_office_list_is_taken_as_it_is(tmp_path: Path, encoding: str) -> None
     said = " ".join(map(str, roster.notes))
     assert "Форма обучения" in said
     assert "no ids for 2 students" in said
-    assert ("read as" in said) == (encoding in {"cp1251", "koi8_u"})
+    assert ("read as" in said) == (encoding in {"cp1251", "koi8_u", "mac_cyrillic"})
+
+
+@pytest.mark.parametrize("encoding", ["cp1251", "koi8_u", "mac_cyrillic"])
+@pytest.mark.parametrize("line_end", ["\r", "\n"])
+@pytest.mark.parametrize(
+    "names", [["Ким Лев"], ["Ґалаґан Євген", "Їжак Олена"], ["ЯШИН ЭДУАРД", "Щукина Юлия"]]
+)
+def test_the_names_of_a_short_list_tell_its_code_page(
+    encoding: str, line_end: str, names: list[str]
+) -> None:
+    text = line_end.join(["ФИО;Группа", *(f"{one};РТК-41" for one in names), ""])
+    roster = read_roster(NamedBytes("list.csv", text.encode(encoding)))
+    assert [one.name for one in roster.students] == names
+
+
+@pytest.mark.parametrize(
+    "text", ["фио;группа\nяшин лев;ртк-41\n", "ФИО;Группа\n“Яшин” Лев;РТК-41\n", "name\nМьller\n"]
+)
+def test_what_windows_saved_is_not_taken_for_a_macs(text: str) -> None:
+    content = text.encode("cp1251")
+    roster = read_roster(NamedBytes("list.csv", content))
+    assert "mac_cyrillic" not in " ".join(map(str, roster.notes))
 
 
 def test_a_title_row_of_a_spreadsheet_is_passed_over(tmp_path: Path) -> None:

@@ -21,6 +21,7 @@ from gripcourse.grading.explain import (
     weigh,
     with_later_answers,
 )
+from gripcourse.grading.lost_cosine import said_of_lost_cosine
 from gripcourse.grading.mistyped import is_mistyped
 from gripcourse.grading.model import Against, Outcome
 from gripcourse.grading.other_cell import is_number_of, weigh_other_cell
@@ -163,7 +164,13 @@ def _with_slip(comparison: Comparison, judgement: Judgement, explanation: Explan
 
 def _said(comparison: Comparison, explanation: Explanation) -> Message:
     likeliest = explanation.likeliest.candidate
-    match _said_otherwise(explanation):
+    others = _said_otherwise(explanation)
+    together = [one.candidate for one in (explanation.likeliest, *others)]
+    if all(one.of == comparison.quantity.id for one in others):
+        lost_cosine = said_of_lost_cosine(together)
+        if lost_cosine is not None:
+            return lost_cosine
+    match others:
         case (other, *_) if other.of != comparison.quantity.id:
             return message(
                 "One of two known slips. Either: {hint} Or, in a step that you left blank, "

@@ -13,6 +13,7 @@ from gripcourse.grading.as_calculated import as_calculated
 from gripcourse.grading.causes import causes_of, roots_of, spoiled_first, spoiled_later
 from gripcourse.grading.charged_once import shortened_once
 from gripcourse.grading.diagnose import CandidatesOf, said_of_blank
+from gripcourse.grading.entry_meant import with_entries_meant
 from gripcourse.grading.exchanged import exchanged_once
 from gripcourse.grading.extended import extended
 from gripcourse.grading.flags import flags_of
@@ -73,6 +74,7 @@ def judge(
         candidates_of: the wrong methods of each quantity of the plan; None makes them anew.
     """
     methods = candidates_of or (lambda name: make_candidates(plan, name, policy.slips))
+    submission = with_entries_meant(submission, plan)
     case = make_case(submission, issued, plan, policy, methods)
     compared = [judge_answer(case, one, submission.answers.get(one.id)) for one in _in_order(plan)]
     case, compared = in_own_manner(case, compared)

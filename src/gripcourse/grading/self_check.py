@@ -16,6 +16,7 @@ from typing import Final
 
 from gripcourse.course.quantity import Kind, Quantity
 from gripcourse.grading.comparison import Comparison
+from gripcourse.grading.entry_meant import with_entries_meant
 from gripcourse.grading.follow_through import follow
 from gripcourse.grading.judge_choice import judge_choice_answer
 from gripcourse.grading.judge_value import judge_value
@@ -105,6 +106,7 @@ def self_check(
         policy: for the bands.
         tells: how much is told.
     """
+    submission = with_entries_meant(submission, plan)
     read = {one.id: _state_as_read(one, submission.answers[one.id]) for one in plan.answered}
     judged = {} if tells is Tells.READING else _judged(submission, plan, policy, read)
     shown = {**read, **judged} if tells is Tells.ANSWERS else read

@@ -69,7 +69,7 @@ def with_somebody(
     said = message(
         "Rows that name nobody were passed over: {rows}.",
         rows=", ".join(
-            _row_shown(sheet, row, (one for one in row.cells if not one.isdecimal()))
+            row_shown(sheet, row, (one for one in row.cells if not one.isdecimal()))
             for row in nobody
         ),
     )
@@ -91,11 +91,10 @@ def without_staff(
     staff = [row for row in sheet.rows if _is_staff(row.cells[role.position])]
     if not staff:
         return sheet, ()
-    names = [columns[one].position for one in _OF_NAMES if one in columns]
     said = message(
         "Rows of people whose role is not a student's were passed over: {rows}.",
         rows=", ".join(
-            _row_shown(sheet, row, [*(row.cells[at] for at in names), row.cells[role.position]])
+            row_shown(sheet, row, [*names_in(row, columns), row.cells[role.position]])
             for row in staff
         ),
     )
@@ -108,7 +107,12 @@ def _is_staff(cell: str) -> bool:
     return bool(cell) and all(role in known for role in roles)
 
 
-def _row_shown(sheet: Sheet, row: SheetRow, cells: Iterable[str]) -> str:
+def names_in(row: SheetRow, columns: Mapping[str, TableColumn]) -> list[str]:
+    """Return the name in a row, or its parts, as they are written."""
+    return [row.cells[columns[one].position] for one in _OF_NAMES if one in columns]
+
+
+def row_shown(sheet: Sheet, row: SheetRow, cells: Iterable[str]) -> str:
     """Return the number of a row and what stands in it."""
     text = one_line(" ".join(filter(None, cells)))
     text = text if len(text) <= _SHOWN else f"{text[: _SHOWN - 1]}…"

@@ -11,6 +11,7 @@ from typing import Final
 from gripcourse.errors import Problem
 from gripcourse.issuing.group_titles import GroupTitles, group_titles, with_groups_below
 from gripcourse.issuing.list_columns import with_whole_names, without_doubles
+from gripcourse.issuing.marked_left import said_of_left
 from gripcourse.issuing.office_list import (
     PARTS_OF_NAME,
     with_addresses,
@@ -114,7 +115,8 @@ def _understood(whole: Sheet, vocabulary: Vocabulary) -> PeopleList:
     below: tuple[Message, ...] = ()
     if "group" in columns:
         sheet, below = with_groups_below(sheet, columns["group"].position)
-    left_out = (*doubles, *staff, *nobody, *remarks, *no_addresses, *below)
+    left = said_of_left(whole, sheet, columns)
+    left_out = (*left, *doubles, *staff, *nobody, *remarks, *no_addresses, *below)
     return PeopleList(sheet, columns, groups, tuple(problems), left_out)
 
 

@@ -22,6 +22,7 @@ class SlipKind(StrEnum):
     ANGLE_UNIT = "angle_unit"  # degrees taken for radians, or the other way round
     INPUT_UNIT = "input_unit"  # an input that was not converted
     RADIUS_FOR_DIAMETER = "radius_for_diameter"
+    HALVED_ANGLE = "halved_angle"  # once more than the formula does
     GRAVITY_LEFT_OUT = "gravity_left_out"
     SAFETY_LEFT_OUT = "safety_left_out"
     FACTOR_LEFT_OUT = "factor_left_out"

@@ -9,7 +9,7 @@ from dataclasses import replace
 from typing import Final
 
 from gripcourse.formula.tree import Call, Name, Negation, Node, Operation, walk
-from gripcourse.slips.rewrite import everywhere, rewritings, scaled
+from gripcourse.slips.rewrite import everywhere, renamed, rewritings, scaled, somewhere
 from gripcourse.slips.surroundings import Found, Rewritten, Surroundings
 
 ANGLES: Final = frozenset({"deg", "rad"})
@@ -85,8 +85,23 @@ def _with_degrees(around: Surroundings, node: Node) -> Node:
             return node
 
 
+def halved_angle(around: Surroundings) -> Iterator[Rewritten]:
+    """Halve an angle once more than the formula does: everywhere, or in one place."""
+    right = around.formula.tree
+    for name in around.formula.names:
+        quantity = around.named(Name(name))
+        if quantity is not None:
+            half, places = scaled(Name(name), 0.5), {"quantity": quantity}
+            yield Rewritten(name, renamed(right, {name: half}), places)
+            for place, tree in somewhere(right, name, half):
+                yield Rewritten(f"{name},{place}", tree, places)
+
+
 def wrong_function(around: Surroundings) -> Iterator[Rewritten]:
-    """Take another function of the angle in one place, or sine and cosine for each other."""
+    """Take another function of the angle in one place, or for each other wherever they stand.
+
+    Wherever they stand, sine and cosine are taken for each other, and the sine for the tangent.
+    """
 
     def change(node: Node) -> Iterator[Found]:
         if not isinstance(node, Call):
@@ -100,10 +115,17 @@ def wrong_function(around: Surroundings) -> Iterator[Rewritten]:
             return replace(node, function=_COMPLEMENT[node.function])
         return node
 
+    def sine_for_tangent(node: Node) -> Node:
+        if isinstance(node, Call) and node.function == "tan":
+            return replace(node, function="sin")
+        return node
+
     for tree, (detail, told) in rewritings(around.formula.tree, change):
         yield Rewritten(detail, tree, told)
     places = {"function": "cos, sin", "right": "sin, cos"}
     yield Rewritten("all", everywhere(around.formula.tree, complement), places)
+    places = {"function": "sin", "right": "tan"}
+    yield Rewritten("all,sin", everywhere(around.formula.tree, sine_for_tangent), places)
 
 
 def ratio_for_angle(around: Surroundings) -> Iterator[Rewritten]:

@@ -12,7 +12,13 @@ from typing import Final, TypeAlias
 
 from gripcourse.formula.tree import Call, Name, Negation, Node, Number, Operation
 from gripcourse.policy.slips import SlipKind
-from gripcourse.slips.angles import ANGLES, angle_unit, ratio_for_angle, wrong_function
+from gripcourse.slips.angles import (
+    ANGLES,
+    angle_unit,
+    halved_angle,
+    ratio_for_angle,
+    wrong_function,
+)
 from gripcourse.slips.calculator import added_for_multiplied, brackets_left_out
 from gripcourse.slips.ends import other_ends, taken_among
 from gripcourse.slips.rewrite import number, renamed, rewritings, scaled, somewhere
@@ -291,6 +297,7 @@ GENERATORS: Final[Mapping[SlipKind, Generator]] = MappingProxyType(
         SlipKind.INPUT_UNIT: _input_unit,
         SlipKind.ANGLE_UNIT: angle_unit,
         SlipKind.RADIUS_FOR_DIAMETER: _radius_for_diameter,
+        SlipKind.HALVED_ANGLE: halved_angle,
         SlipKind.GRAVITY_LEFT_OUT: _quantity_left_out,
         SlipKind.SAFETY_LEFT_OUT: _quantity_left_out,
         SlipKind.FACTOR_LEFT_OUT: _factor_left_out,

@@ -50,6 +50,12 @@ class Hint:
         """Put the hint into words, after sentences that have introduced quantities."""
         return Texts({one: self._said(introduced, one) for one in LANGUAGES})
 
+    def place(self, name: str) -> Texts:
+        """Return what fills a place of the sentence, with a quantity by its symbol alone."""
+        place = self.places[name]
+        symbols = {one.id for one in self._said_of([place])}
+        return Texts({one: self._written(place, symbols, one) for one in LANGUAGES})
+
     def _said(self, introduced: Collection[str], language: str) -> str:
         places = {
             name: self._written(place, introduced, language) for name, place in self.places.items()

@@ -2,6 +2,7 @@
 
 import codecs
 import io
+import re
 from dataclasses import dataclass
 from typing import Final
 
@@ -12,6 +13,11 @@ from gripcourse.text.words import Message, message
 
 _ENCODINGS: Final = ("cp1251", "cp866", "koi8_u")
 """In which offices of the course's languages still save text."""
+_OF_MACS: Final = "mac_cyrillic"
+# A name, a word, an abbreviation: what people write begins with a capital, or has them alone.
+_WORD: Final = re.compile(r"[А-ЯЁІЇЄҐ]?[а-яёіїєґ]+|[А-ЯЁІЇЄҐ]+")
+_FOREIGN: Final = re.compile(r"[^\x00-\x7f]+")
+_MOSTLY, _PLAINLY_MORE = 0.9, 0.2  # shares of letters
 _BEGINNING: Final = 1 << 12  # bytes
 _PAGES: Final = (0x00, 0x04)  # first bytes of Latin and Cyrillic letters, digits and separators
 _FEWEST_KNOWN: Final = 0.9  # share of these; the others are № and quotation marks
@@ -98,6 +104,8 @@ def _guessed(content: bytes, place: int) -> str | None:
     if b"\0" in content:
         return None
     enough = around(content, place)
+    if _is_of_a_mac(enough):
+        return _OF_MACS
     best = charset_normalizer.from_bytes(enough, cp_isolation=list(_ENCODINGS)).best()
     if best is None:
         return None
@@ -106,6 +114,23 @@ def _guessed(content: bytes, place: int) -> str | None:
     except UnicodeDecodeError:  # elsewhere there is a letter that the encoding has not
         return None
     return best.encoding
+
+
+def _is_of_a_mac(content: bytes) -> bool:
+    """Tell whether a text has words as old spreadsheet programs on macOS saved them, and only so.
+
+    Small letters are those of Windows there, capitals those of DOS: names are torn in both.
+    """
+    rival = max(_share_of_words(content, one) for one in _ENCODINGS)
+    share = _share_of_words(content, _OF_MACS)
+    return share >= _MOSTLY and share >= rival + _PLAINLY_MORE
+
+
+def _share_of_words(content: bytes, encoding: str) -> float:
+    """Return the share of the letters beyond ASCII that are in words as people write them."""
+    found: list[str] = _FOREIGN.findall(content.decode(encoding, errors="replace"))
+    letters = sum(map(len, found))
+    return sum(len(one) for one in found if _WORD.fullmatch(one)) / letters if letters else 0.0
 
 
 def _not_text(source: Readable, line: int) -> TableError:

@@ -29,6 +29,7 @@ from gripcourse.variants.spreadsheet import (
     UnreadableSpreadsheetError,
     read_spreadsheet,
     said_of_hidden,
+    said_of_hidden_columns,
 )
 
 _DELIMITERS = ("\t", ";", "|", ",")
@@ -189,12 +190,14 @@ def _spreadsheet(source: Readable, is_heading: IsHeading) -> Sheet:
 
 
 def _sheet_of(source: Readable, one: TableSheet, is_heading: IsHeading) -> Sheet:
-    """Find the headings of a sheet; a note names hidden rows, which count as all others do."""
+    """Find the headings of a sheet; notes name what is hidden, which counts as all else does."""
     sheet = _sheet(source, _rows_of(one), is_heading)
-    hidden = [number for number in one.hidden if number > sheet.heading_row]
-    if not hidden:
-        return sheet
-    return replace(sheet, notes=(*sheet.notes, said_of_hidden(sheet.file, one.title, hidden)))
+    rows = [number for number in one.hidden if number > sheet.heading_row]
+    places = [place for place in one.hidden_columns if place < len(sheet.header)]
+    columns = [column_name(place, sheet.header) for place in places]
+    notes = [said_of_hidden(sheet.file, one.title, rows)] if rows else []
+    notes += [said_of_hidden_columns(sheet.file, one.title, columns)] if columns else []
+    return replace(sheet, notes=(*sheet.notes, *notes))
 
 
 def _rows_of(sheet: TableSheet) -> list[SheetRow]:

@@ -102,6 +102,17 @@ def said_of_hidden(file: str, title: str, rows: Sequence[int]) -> Message:
     )
 
 
+def said_of_hidden_columns(file: str, title: str, columns: Sequence[str]) -> Message:
+    """Say which columns of a sheet were read though no program shows them."""
+    return message(
+        "{file}: columns that are hidden in the sheet '{sheet}' were read like all others: "
+        "{columns}. Delete those that are not meant.",
+        file=file,
+        sheet=title,
+        columns=first_of(columns, _NAMED),
+    )
+
+
 def _read_apart(content: bytes) -> tuple[TableSheet, ...] | WhyRefused | Lost:
     return do_apart(_sheets, content, None, limits=_READERS, seconds=_SECONDS)
 

@@ -36,11 +36,13 @@ class LongSheet:
             one that shows anything, or None where none does.
         merged: its merged ranges.
         hidden: numbers of rows that are hidden and hold anything.
+        hidden_columns: first and last number of each run of columns that are hidden.
     """
 
     rows: Mapping[int, list[str] | None]
     merged: tuple[Merged, ...]
     hidden: tuple[int, ...] = ()
+    hidden_columns: tuple[tuple[int, int], ...] = ()
 
 
 def read_long_sheet(
@@ -63,7 +65,7 @@ def read_long_sheet(
     handlers = Handlers(reader.enter, reader.leave, reader.written.append)
     go_through(content, scan, reader.names, handlers)
     hidden = tuple(number for number in sorted(reader.hidden) if reader.rows[number])
-    return LongSheet(reader.rows, tuple(reader.merged), hidden)
+    return LongSheet(reader.rows, tuple(reader.merged), hidden, tuple(reader.hidden_columns))
 
 
 def read_long_texts(content: bytes, scan: XmlScan) -> list[str]:
@@ -80,7 +82,8 @@ class _SheetReader:
     __slots__ = (
         *("_column", "_columns", "_depth", "_formula", "_is_cell", "_is_data", "_is_row"),
         *("_item", "_kind", "_known", "_number", "_part", "_room", "_row", "_scan", "_shown"),
-        *("_style", "_styles", "_value", "hidden", "merged", "names", "rows", "written"),
+        *("_style", "_styles", "_value", "hidden", "hidden_columns", "merged", "names", "rows"),
+        "written",
     )
 
     def __init__(self, scan: XmlScan, shown: ShownText, room: RoomForCells) -> None:
@@ -90,6 +93,7 @@ class _SheetReader:
         self.rows: dict[int, list[str] | None] = {}
         self.merged: list[Merged] = []
         self.hidden: set[int] = set()
+        self.hidden_columns: list[tuple[int, int]] = []
         self.written: list[str] = []
         self._columns: dict[str, int] = {}  # by their letters
         self._styles: dict[str, int] = {}
@@ -174,6 +178,10 @@ class _SheetReader:
                 self.hidden.add(self._number)
         elif self._depth == _DATA and name == "sheetData":
             self._is_data = True
+        elif name == "col" and attributes.get("hidden") in _TRUE:
+            first, last = (whole_number(attributes.get(end)) for end in ("min", "max"))
+            if first is not None and last is not None:
+                self.hidden_columns.append((first, last))
         elif name == "mergeCell" and (found := merged_range(attributes.get("ref", ""))):
             self.merged.append(found)
         elif name in _ELSEWHERE or (name == _FOR_SOME and self._is_data):  # some would be lost

@@ -5,6 +5,7 @@ from bisect import bisect_right
 from collections.abc import Sequence
 from dataclasses import dataclass
 from datetime import date, time
+from itertools import accumulate
 from typing import Final, TypeAlias
 
 from gripcourse.machine.process_wide import few_collections
@@ -55,11 +56,13 @@ class TableSheet:
         title: of the sheet.
         rows: without blank ones.
         hidden: numbers of those that no program shows, as a filter leaves them out.
+        hidden_columns: places, from 0, of the columns that no program shows and that hold anything.
     """
 
     title: str
     rows: tuple[TableRow, ...]
     hidden: tuple[int, ...] = ()
+    hidden_columns: tuple[int, ...] = ()
 
 
 def visible_sheets(data: bytes) -> tuple[TableSheet, ...] | WhyRefused:
@@ -107,7 +110,7 @@ def _sheets(package: Package) -> tuple[TableSheet, ...]:
     read = [
         (title, _long_sheet(package, part, shown, room)) for part, title in reversed(once.items())
     ]
-    found = [TableSheet(title, _rows(sheet, room), sheet.hidden) for title, sheet in read]
+    found = [_table_sheet(title, sheet, room) for title, sheet in read]
     if not found:
         raise UnreadableContentError
     return tuple(one for one in found if one.rows) or (found[0],)
@@ -158,6 +161,24 @@ def _as_shown(value: CellValue, number_format: str) -> str:
         return _cell_text(without_crossed_out(value))
     is_id = isinstance(value, int) and value >= 0 and _NOUGHTS.fullmatch(number_format)
     return _cell_text(value).zfill(len(number_format)) if is_id else _cell_text(value)
+
+
+def _table_sheet(title: str, sheet: LongSheet, room: RoomForCells) -> TableSheet:
+    rows = _rows(sheet, room)
+    width = max((len(cells) for _, cells in rows), default=0)
+    places = _hidden_places(sheet, width)
+    held = (one for one in places if any(len(cells) > one and cells[one] for _, cells in rows))
+    return TableSheet(title, rows, sheet.hidden, tuple(held))
+
+
+def _hidden_places(sheet: LongSheet, width: int) -> list[int]:
+    """Return the places, from 0, of hidden columns; of a strange file, runs may overlap."""
+    steps = [0] * (width + 1)
+    for first, last in sheet.hidden_columns:
+        if 0 < first <= last:
+            steps[min(first - 1, width)] += 1
+            steps[min(last, width)] -= 1
+    return [place for place, runs in enumerate(accumulate(steps[:width])) if runs]
 
 
 def _rows(sheet: LongSheet, room: RoomForCells) -> tuple[TableRow, ...]:
