@@ -155,6 +155,7 @@ def test_a_check_is_done_by_workers_that_know_the_edited_policy(
 ) -> None:
     client = server.client()
     upload = {"file": ("work.xlsx", filled)}
+    edit_policy(files, "times = 3 ", "times = 8642 ")  # others asked for the same student
     before = client.post(f"{server.home('s01')}check", files=upload)
     edit_policy(files, 'tells = "sections"', 'tells = "reading" ')
     after = client.post(f"{server.home('s01')}check", files=upload)

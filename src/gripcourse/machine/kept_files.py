@@ -23,11 +23,11 @@ _DAMAGE: Final = (
     *(NotImplementedError, RuntimeError, ValueError),  # a bit of the wrong flag, or of the method
 )
 
-FingerprintOf: TypeAlias = Callable[[Path], str]
+DigestOf: TypeAlias = Callable[[Path], str]
 """Computes the fingerprint of files as they lie in a folder."""
 
 
-def keep_files(root: Path, kind: str, fingerprint_of: FingerprintOf, paths: Iterable[Path]) -> str:
+def keep_files(root: Path, kind: str, fingerprint_of: DigestOf, paths: Iterable[Path]) -> str:
     """Keep files of a course as they are now, unless this was done before and they are whole.
 
     Args:
@@ -54,7 +54,7 @@ def keep_files(root: Path, kind: str, fingerprint_of: FingerprintOf, paths: Iter
 
 @contextmanager
 def kept_files(
-    root: Path, kind: str, fingerprint: str, fingerprint_of: FingerprintOf
+    root: Path, kind: str, fingerprint: str, fingerprint_of: DigestOf
 ) -> Iterator[Path | None]:
     """Give a folder with the files as they lay in that of the course; it goes on leaving.
 
