@@ -44,6 +44,8 @@ _exponents = st.fractions(-3, 3, max_denominator=6)
         ("rpm", 3.141592653589793 / 30),
         ("A/mm**2", 1e6),
         ("ohm*mm**2/m", 1e-6),
+        ("mmHg", 133.322387415),  # 13595.1 kg/m³ of mercury, 1 mm high, at the standard gravity
+        ("metric_horsepower", 735.49875),  # 75 kgf·m/s
         ("kohm*nF", 1e-6),
         ("T", 1.0),
         ("N/A**2", 1.0),
@@ -94,6 +96,17 @@ def test_what_is_read_is_in_our_spelling(unit: str) -> None:
         ("H", "N"),  # Latin aitch
         ("кH", "kN"),
         ("КГС", "kgf"),
+        ("мм рт. ст.", "mmHg"),
+        ("мм.рт.ст.", "mmHg"),
+        ("ММ РТ СТ", "mmHg"),
+        ("mm Hg", "mmHg"),
+        ("торр", "mmHg"),
+        ("л.с.", "metric_horsepower"),
+        ("к. с.", "metric_horsepower"),
+        ("Н.м", "N*m"),
+        ("кв. мм", "mm**2"),
+        ("об./мин", "rpm"),
+        ("кг/(м с)", "kg/m/s"),
         ("МПа", "MPa"),
         ("MПa", "MPa"),  # three letters of the other alphabet
         ("мпа", "MPa"),

@@ -282,11 +282,13 @@ def _plain(text: str) -> str:
     degrees = text.replace("º", "°").replace("˚", "°")
     flat = unicodedata.normalize("NFKC", degrees).replace("−", "-")
     flat = re.sub(r"\s*[·⋅∙•×∗]\s*", "*", flat)
-    flat = re.sub(r"\s*([*/^])\s*", r"\1", " ".join(flat.split()))
+    # A dot within shortens a word, as in `мм рт. ст.`, or is one more sign for a product.
+    flat = re.sub(r"\.(?=\s*\w)", " ", flat)
+    flat = re.sub(r"\.?\s*([*/^])\s*", r"\1", " ".join(flat.split()))
     if flat[:1] + flat[-1:] in {"[]", "()"}:
         flat = flat[1:-1].strip()
-    # Several factors below one slash: `кг/(м*с)` is `кг/м/с`.
-    flat = re.sub(r"/\(([^()/]*)\)", lambda below: "/" + below[1].replace("*", "/"), flat)
+    # Several factors below one slash: `кг/(м*с)` and `кг/(м с)` are `кг/м/с`.
+    flat = re.sub(r"/\(([^()/]*)\)", lambda below: "/" + re.sub("[* ]", "/", below[1]), flat)
     return flat.removeprefix(",").strip().rstrip(".,;").strip()
 
 
