@@ -18,6 +18,8 @@ from gripcourse.drawing.diagram.marks import (
     circle,
     cut_under,
     mirrored,
+    settled,
+    shifted,
 )
 from gripcourse.drawing.paper.document import LineKind
 from gripcourse.drawing.paper.strokes import Box
@@ -152,3 +154,17 @@ def test_a_mirror_image_of_a_mirror_image_is_the_thing_itself(mark: Mark) -> Non
         assert again.start == pytest.approx(mark.start)
         again = ArcMark(again.centre, again.radius, mark.start, again.sweep, again.line)
     assert again == mark
+
+
+@pytest.mark.parametrize(
+    "mark",
+    [
+        path((1.0, 2.0), (3.0, 4.0)),
+        Fill(((1.0, 2.0), (3.0, 4.0), (5.0, 7.0))),
+        circle((1.0, 2.0), 3.0, LineKind.OUTLINE),
+        RingMark((1.0, 2.0), 3.0, LineKind.OUTLINE),
+        Letter("F", ((1.0, 2.0),), (((3.0, 4.0), (5.0, 6.0)),), (((1.0, 2.0), 0.5),)),
+    ],
+)
+def test_a_last_digit_that_processors_round_otherwise_moves_nothing(mark: Mark) -> None:
+    assert settled(shifted(mark, 1e-12, -1e-12)) == settled(mark)

@@ -9,7 +9,16 @@ from typing import Final, TypeAlias
 from gripcourse.course.diagram import Diagram, Element
 from gripcourse.drawing.diagram import bodies, contacts, drives, gears, joints, measures
 from gripcourse.drawing.diagram.letters import Written, bounds, strokes_of, write_letters
-from gripcourse.drawing.diagram.marks import Letter, Mark, Mask, Path, cut_under, mirrored, shifted
+from gripcourse.drawing.diagram.marks import (
+    Letter,
+    Mark,
+    Mask,
+    Path,
+    cut_under,
+    mirrored,
+    settled,
+    shifted,
+)
 from gripcourse.drawing.diagram.places import (
     MILLIMETRES,
     PlacedElement,
@@ -132,7 +141,7 @@ def lay_out(
             if not views:
                 largest = scale * min(widest / size.width, HIGHEST / size.height)
             continue
-        laid = _with_letters(marks, size, scale, widest)
+        laid = _with_letters(marks, scale, widest)
         if laid.width > widest or laid.height > HIGHEST:
             found = found or laid
             continue
@@ -158,10 +167,12 @@ def _thinkable(stops: Mapping[str, Stop], widest: float) -> Iterator[float]:
             yield scale
 
 
-def _with_letters(marks: list[Mark], size: Box, scale: float, widest: float) -> DiagramLayout:
+def _with_letters(found: list[Mark], scale: float, widest: float) -> DiagramLayout:
     """Place the letters, and everything on the smallest sheet that holds it."""
+    marks = list(map(settled, found))
     drawn: list[Mark] = [mark for mark in marks if not isinstance(mark, Letter)]
     letters = [mark for mark in marks if isinstance(mark, Letter)]
+    size = bounds(marks)
     room = (widest - size.width) / 2, (HIGHEST - size.height) / 2
     sheet = Box(
         size.left - room[0], size.bottom - room[1], size.right + room[0], size.top + room[1]

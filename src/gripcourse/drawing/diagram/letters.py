@@ -36,6 +36,7 @@ _PART: Final = 96  # places that are weighed at a time
 _GOOD: Final = 14.0  # what a good place costs at most
 _ENOUGH: Final = 10  # good places that a letter has to choose from
 _KEPT: Final = 60  # places of a letter that are worth a comparison with other letters
+_DIGITS: Final = 6  # of what counts against a place
 # What counts against a place.
 _OUTSIDE: Final = 1e4
 _LINE: Final = 30.0  # lines under the letter
@@ -231,8 +232,10 @@ class _Field:
             ).tolist()
             if sum(cost < _GOOD for cost in costs) >= _ENOUGH:
                 break
-        kept = np.argsort(costs, kind="stable")[:_KEPT]
-        return cls(nearest.some(kept), np.array(own)[kept], np.array(costs)[kept])
+        # Of places that cost the same the first is taken, on whatever processor.
+        rounded = np.round(costs, _DIGITS)
+        kept = np.argsort(rounded, kind="stable")[:_KEPT]
+        return cls(nearest.some(kept), np.array(own)[kept], rounded[kept])
 
     @property
     def dearness(self) -> float:

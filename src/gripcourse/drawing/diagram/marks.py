@@ -21,6 +21,8 @@ HEAD = (3.0, 0.55)  # length and half width of the arrow of a dimension
 _STEP = math.pi / 24  # of an arc that is taken for a chain of chords
 _NEAR = 1e-9
 _QUARTER = 32  # chords of a quarter of a ring
+_DIGITS = 6  # of millimetres: what comes behind them hangs on the processor
+_TURN_DIGITS = 12  # of angles
 
 
 @dataclass(frozen=True, slots=True)
@@ -184,6 +186,40 @@ def shifted(mark: Mark, x: float, y: float) -> Mark:
                 names=tuple(moved(one, x, y) for one in mark.names),
                 tips=tuple(((tip[0] + x, tip[1] + y), turn) for tip, turn in mark.tips),
             )
+
+
+def settled(mark: Mark) -> Mark:
+    """Return the mark without the last digits, which processors compute differently.
+
+    Else a length that is written with two digits, or a letter that has two places equally good,
+    would be another one on another machine.
+    """
+    match mark:
+        case Path() | Fill() | Mask():
+            return replace(mark, points=_settled(mark.points))
+        case ArcMark(centre, radius, start, sweep):
+            return replace(
+                mark,
+                centre=_settled((centre,))[0],
+                radius=round(radius, _DIGITS),
+                start=round(start, _TURN_DIGITS),
+                sweep=round(sweep, _TURN_DIGITS),
+            )
+        case RingMark(centre, radius):
+            return replace(mark, centre=_settled((centre,))[0], radius=round(radius, _DIGITS))
+        case Letter():
+            return replace(
+                mark,
+                places=_settled(mark.places),
+                names=tuple(map(_settled, mark.names)),
+                tips=tuple(
+                    (_settled((tip,))[0], round(turn, _TURN_DIGITS)) for tip, turn in mark.tips
+                ),
+            )
+
+
+def _settled(points: Chain) -> Chain:
+    return tuple((round(x, _DIGITS), round(y, _DIGITS)) for x, y in points)
 
 
 def moved(points: Chain, x: float, y: float) -> Chain:
