@@ -7,7 +7,7 @@ import numpy as np
 import shapely
 from numpy.typing import NDArray
 
-from gripcourse.drawing.diagram.marks import Letter
+from gripcourse.drawing.diagram.marks import DIGITS, Letter
 
 _DISTANCES: Final = np.array((0.9, 1.6, 2.3, 3.0, 4.5, 6.5, 9.0, 12.0, 16.0))
 _BARE: Final = 3.0  # mm from what it names that a symbol stands without a leader, at most
@@ -17,7 +17,6 @@ _UPRIGHT_ONES: Final = [k for k, one in enumerate(_DEGREES) if one % 90 == 0]
 _LONGER: Final = np.array((0.0, 2.0, 4.5, 8.0, 12.0, 17.0, 23.0))  # of a leader than it was asked
 _SPREAD: Final = np.radians((0, 25, -25, 50, -50))  # from its end to the symbol
 _SHORT: Final = 0.5  # between a leader's end and the symbol
-_DIGITS: Final = 6  # of millimetres, as of everything drawn: see `marks.settled`
 # What counts against a place.
 _FAR: Final = 0.35  # a millimetre of distance
 _LATER: Final = 0.04  # one direction later in the order of preference
@@ -92,7 +91,7 @@ def _lines(starts: Array, ends: Array) -> NDArray[np.object_]:
 
 def _polar(places: Array, distances: Array, turns: Array) -> Array:
     ends = places + distances[:, None] * np.stack((np.cos(turns), np.sin(turns)), 1)
-    return np.asarray(np.round(ends, _DIGITS))
+    return np.asarray(np.round(ends, DIGITS))
 
 
 def _boxes(places: Array, turns: Array, distances: Array, size: tuple[float, float]) -> Array:
@@ -103,4 +102,4 @@ def _boxes(places: Array, turns: Array, distances: Array, size: tuple[float, flo
     reach = (half / np.maximum(np.abs(along), 1e-9)).min(axis=1)
     middles = places + (distances + reach)[:, None] * along
     boxes = np.concatenate((middles - half, middles + half), axis=1)
-    return np.asarray(np.round(boxes, _DIGITS))
+    return np.asarray(np.round(boxes, DIGITS))

@@ -21,7 +21,7 @@ HEAD = (3.0, 0.55)  # length and half width of the arrow of a dimension
 _STEP = math.pi / 24  # of an arc that is taken for a chain of chords
 _NEAR = 1e-9
 _QUARTER = 32  # chords of a quarter of a ring
-_DIGITS = 6  # of millimetres: what comes behind them hangs on the processor
+DIGITS = 6  # of millimetres: what comes behind them hangs on the processor
 _TURN_DIGITS = 12  # of angles
 
 
@@ -201,12 +201,12 @@ def settled(mark: Mark) -> Mark:
             return replace(
                 mark,
                 centre=_settled((centre,))[0],
-                radius=round(radius, _DIGITS),
+                radius=round(radius, DIGITS),
                 start=round(start, _TURN_DIGITS),
                 sweep=round(sweep, _TURN_DIGITS),
             )
         case RingMark(centre, radius):
-            return replace(mark, centre=_settled((centre,))[0], radius=round(radius, _DIGITS))
+            return replace(mark, centre=_settled((centre,))[0], radius=round(radius, DIGITS))
         case Letter():
             return replace(
                 mark,
@@ -219,7 +219,7 @@ def settled(mark: Mark) -> Mark:
 
 
 def _settled(points: Chain) -> Chain:
-    return tuple((round(x, _DIGITS), round(y, _DIGITS)) for x, y in points)
+    return tuple((round(x, DIGITS), round(y, DIGITS)) for x, y in points)
 
 
 def moved(points: Chain, x: float, y: float) -> Chain:
