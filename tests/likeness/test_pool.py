@@ -55,6 +55,28 @@ def test_it_does_not_matter_how_many_are_looked_into_together(
     assert whole == everything(parts)
 
 
+def test_a_slip_is_as_common_as_the_students_who_made_it(issued: IssuedValues) -> None:
+    """Forty works of three students say no more than three students."""
+    chance = random.Random(3)  # noqa: S311 (not for secrets)
+    works = [work(chance.choice(issued.owners), issued, chance) for _ in range(40)]
+    pooled = pool(works, issued)
+    made, answered = dict[int, set[str]](), dict[int, set[str]]()
+    quantity = dict[int, int]()
+    for one in pooled.parts():
+        numbers = one.numbers
+        of_each = (numbers.row.tolist(), numbers.column.tolist(), one.slip.tolist())
+        for row, column, slip in zip(*of_each, strict=True):
+            student = pooled.students[one.first + row]
+            answered.setdefault(column, set()).add(student)
+            made.setdefault(slip, set()).add(student)
+            quantity[slip] = column
+    assert len(pooled.common) > 20
+    for slip, common in enumerate(pooled.common.tolist()):
+        # Of a quantity twice the last counts: a slip of the first may be nobody's.
+        if slip in made:
+            assert common == len(made[slip]) / len(answered[quantity[slip]])
+
+
 def everything(pooled: ComparisonPool) -> list[tuple[object, ...]]:
     """All that is known of each number of a cohort."""
     return [

@@ -18,6 +18,19 @@ def persons_of(owners: Iterable[str]) -> Ints:
     return np.array([first.setdefault(one, row) for row, one in enumerate(owners)], dtype=np.intp)
 
 
+def had_again(person: Ints, what: Ints, kinds: int) -> Ints:
+    """Return how often each kind of things is had by a person who has it already: (kinds,).
+
+    Args:
+        person: (things,); who has each.
+        what: (things,); of which kind each is.
+        kinds: how many there are.
+    """
+    once = np.unique(person * kinds + what) % max(kinds, 1)
+    again: Ints = np.bincount(what, minlength=kinds) - np.bincount(once, minlength=kinds)
+    return again
+
+
 @dataclass(frozen=True, slots=True)
 class RepeatedValues:
     """Of the numbers that one person has of one quantity, each with the next larger one.

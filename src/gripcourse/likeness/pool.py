@@ -2,24 +2,26 @@
 
 from array import array
 from collections import Counter
-from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
-from itertools import accumulate, islice, pairwise
-from typing import Final
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from itertools import islice, pairwise
+from typing import TYPE_CHECKING, Final
 
 import numpy as np
 from numpy.typing import NDArray
 
 from gripcourse.likeness.cells import Flags, Floats, Ints, SparseTable, keys_of
 from gripcourse.likeness.issued import IssuedValues
+from gripcourse.likeness.laid import Columns, Laid
 from gripcourse.likeness.matches import ComparedNumbers, Spread, last_unit
 from gripcourse.likeness.model import Chances, ComparedWork
 from gripcourse.likeness.own_versions import OwnVersions
-from gripcourse.likeness.typed_numbers import TypedNumbers
+from gripcourse.likeness.persons import had_again
 from gripcourse.machine.shelf import Shelved
-from gripcourse.slips.model import SlipId
 
-_FILLER = 3  # unexplained cells with the same number: typed to fill them, not computed
+if TYPE_CHECKING:
+    from gripcourse.slips.model import SlipId
+
 _AT_ONCE: Final = 100  # submissions that are looked into together
 _TOGETHER: Final = 1000  # submissions in one table: what lies in memory of them at a time
 _MOVED: Final = max(Chances().moved)
@@ -78,7 +80,7 @@ class ComparisonPool:
         variants: how many rows of other students all submissions are compared with.
         spread: of their values.
         works: the numbers, the submissions of the first table before those of the second.
-        common: (slips,); how common each is among those who answered its quantity.
+        common: (slips,); how common each is among the students who answered its quantity.
     """
 
     students: tuple[str, ...]
@@ -93,10 +95,8 @@ class ComparisonPool:
 
     def parts(self) -> Iterator["PooledPart"]:
         """Part the numbers into those of as many submissions as are compared together."""
-        first = 0
-        for works in self.works:
+        for works, first in _since(self.works):
             yield from _parts(self, works, first)
-            first += len(works.own)
 
 
 @dataclass(frozen=True, slots=True)
@@ -156,19 +156,51 @@ def pool(
     gathering = _Gathering(issued, moved)
     tables = Shelved(gathering.tables(iter(works)))
     own, versions = np.frombuffer(gathering.own, np.int32), gathering.versions
-    counts = np.array([gathering.slipped[one] for one in gathering.slips.values()], np.float64)
-    quantity = np.array([place for place, _ in gathering.slips], dtype=np.intp)
+    submitter = versions.person[own]
     return ComparisonPool(
         students=tuple(issued.owners[row] for row in gathering.own),
         own=own,
         issued=issued,
         person=versions.person,
-        submitter=versions.person[own],
+        submitter=submitter,
         variants=versions.variants_of_others(own),
         spread=Spread.of(issued.values),
         works=tables,
-        common=counts / gathering.answered[quantity],
+        common=_common(gathering, tables, submitter),
     )
+
+
+def _common(gathering: "_Gathering", tables: Sequence[PooledWorks], submitter: Ints) -> Floats:
+    """Return how common each slip is; a student who handed in two works is one student."""
+    counts = np.array([gathering.slipped[one] for one in gathering.slips.values()], np.float64)
+    quantity = np.array([place for place, _ in gathering.slips], dtype=np.intp)
+    answered = gathering.answered
+    several = np.bincount(submitter, minlength=len(submitter))[submitter] > 1
+    if several.any():
+        cells = [_of_submitters(*one, submitter, several) for one in _since(tables)]
+        slips, answers = (np.concatenate(one, axis=1) for one in zip(*cells, strict=True))
+        counts -= had_again(*slips, len(counts))
+        answered = answered - had_again(*answers, len(answered))
+    return counts / answered[quantity]
+
+
+def _since(tables: Sequence[PooledWorks]) -> Iterator[tuple[PooledWorks, int]]:
+    """Yield each table with the submission, among all, of its first row."""
+    first = 0
+    for works in tables:
+        yield works, first
+        first += len(works.own)
+
+
+def _of_submitters(
+    works: PooledWorks, first: int, submitter: Ints, which: Flags
+) -> tuple[Ints, Ints]:
+    """Return who made which slip, and who answered which quantity, of some submissions."""
+    row, column = works.typed.place
+    of_slip, person = first + row[works.slipped], submitter[first + row]
+    chosen, of_which = which[of_slip], which[first + row]
+    slips = np.array([submitter[of_slip[chosen]], works.slip[chosen]], dtype=np.intp)
+    return slips, np.array([person[of_which], column[of_which]], dtype=np.intp)
 
 
 class _Gathering:
@@ -177,7 +209,7 @@ class _Gathering:
     def __init__(self, issued: IssuedValues, moved: float) -> None:
         self.issued, self.moved = issued, moved
         self.versions = OwnVersions.of(issued)
-        self.columns = _Columns(issued.columns)
+        self.columns = Columns(issued.columns)
         self.own = array("i")
         self.slips: dict[tuple[int, SlipId], int] = {}
         self.slipped: Counter[int] = Counter()
@@ -196,7 +228,7 @@ class _Gathering:
         told, values, of_unit, slipped, of_slip = (array(kind) for kind in "bdiii")
         begin = len(self.own)
         while portion := tuple(islice(works, _AT_ONCE)):
-            found = _Laid.of([work.numbers for work in portion], self.columns)
+            found = Laid.of([work.numbers for work in portion], self.columns)
             usable = found.usable
             slip = found.slips(usable, self.slips)
             chosen = found.chosen(usable)
@@ -239,86 +271,3 @@ def _numbered(values: Floats, known: dict[float, int]) -> NDArray[np.int32]:
     different, place = np.unique(values, return_inverse=True)
     numbers = [known.setdefault(one, len(known)) for one in different.tolist()]
     return np.array(numbers, dtype=np.int32)[place]
-
-
-@dataclass(frozen=True, slots=True)
-class _Columns:
-    """Columns of quantities; of works that are asked for the same ones they are found once."""
-
-    by_quantity: Mapping[str, int]
-    found: dict[str, NDArray[np.int32]] = field(default_factory=dict)
-
-    def of(self, names: str) -> NDArray[np.int32]:
-        """Return the columns of the quantities of a work, −1 where no variant has one."""
-        if names not in self.found:
-            columns = [self.by_quantity.get(one, -1) for one in names.split()]
-            self.found[names] = np.array(columns, np.int32)
-        return self.found[names]
-
-
-@dataclass(frozen=True, slots=True)
-class _Laid:
-    """The numbers of some submissions, as they were typed, one after another.
-
-    Attributes:
-        works: what was typed in each submission.
-        row: which of these submissions each is of.
-        column: quantity of each; −1 where no variant has it.
-        value, half_unit, explained: of each; see `Typed`.
-        begins: (submissions,); where the numbers of each begin.
-    """
-
-    works: Sequence[TypedNumbers]
-    row: NDArray[np.int32]
-    column: NDArray[np.int32]
-    value: Floats
-    half_unit: Floats
-    explained: Flags
-    begins: Sequence[int]
-
-    @classmethod
-    def of(cls, works: Sequence[TypedNumbers], columns: _Columns) -> "_Laid":
-        """Lay them out."""
-        counts = [len(one) for one in works]
-        return cls(
-            works=works,
-            row=np.repeat(np.arange(len(works), dtype=np.int32), counts),
-            column=np.concatenate([columns.of(one.names) for one in works]),
-            value=np.concatenate([one.values for one in works]),
-            half_unit=np.concatenate([one.half_units for one in works]),
-            explained=np.concatenate([one.explained for one in works]),
-            begins=[0, *accumulate(counts[:-1])],
-        )
-
-    def slips(self, usable: Flags, known: dict[tuple[int, SlipId], int]) -> NDArray[np.int32]:
-        """Return the number of the slip of each, −1 where there is none; new ones become known."""
-        slip = np.full(len(self.value), -1, dtype=np.int32)
-        for begin, work in zip(self.begins, self.works, strict=True):
-            for place, one in work.slips.items():
-                if usable[begin + place]:
-                    key = int(self.column[begin + place]), one
-                    slip[begin + place] = known.setdefault(key, len(known))
-        return slip
-
-    def chosen(self, usable: Flags) -> Ints:
-        """Return the places of those that can say anything, by submission, then by quantity."""
-        order = np.lexsort((self.column, self.row))
-        order = order[usable[order]]
-        row, column = self.row[order], self.column[order]
-        # Of several of one quantity the last counts.
-        is_last = np.r_[(row[1:] != row[:-1]) | (column[1:] != column[:-1]), True]
-        return np.asarray(order[is_last[: len(order)]])
-
-    @property
-    def usable(self) -> Flags:
-        """Which can say anything: a nought is nobody's, and nor is what fills cells."""
-        usable: Flags = (self.column >= 0) & (self.value != 0) & np.isfinite(self.value)
-        wrong = np.flatnonzero(~self.explained)
-        if not len(wrong):
-            return usable
-        ordered = wrong[np.lexsort((self.value[wrong], self.row[wrong]))]
-        row, value = self.row[ordered], self.value[ordered]
-        is_first = np.r_[True, (row[1:] != row[:-1]) | (value[1:] != value[:-1])]
-        run = np.cumsum(is_first) - 1
-        usable[ordered[np.bincount(run)[run] >= _FILLER]] = False
-        return usable
