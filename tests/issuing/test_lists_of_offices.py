@@ -198,6 +198,12 @@ class TestWhoHasLeft:
         assert len(roster.students) == 3
         assert f"taken over all the same: 3 (Петров Пётр {heading}: {marked})." in said(roster)
 
+    def test_of_many_the_first_are_named(self) -> None:
+        names = (f"Иванова {letter}нна;{letter};да" for letter in "АБВГДЕЖЗИКЛМ")
+        told = said(listed("ФИО;Группа;Отчислен", *names))
+        assert "Лнна" not in told
+        assert "(Иванова Кнна Отчислен: да), …. Delete" in told
+
     def test_a_list_in_which_everybody_stays_says_nothing(self) -> None:
         roster = listed("ФИО;Группа;Отчислен", "Иванова Анна;A;нет", "Ким Лев;A")
         assert "who have left" not in said(roster)

@@ -5,12 +5,16 @@ anybody; who is to have none is taken off the list, or withdrawn.
 """
 
 from collections.abc import Iterator, Mapping
+from typing import Final
 
 from gripcourse.issuing.office_list import names_in, row_shown
+from gripcourse.text.shown import first_of
 from gripcourse.text.spelling import plain
 from gripcourse.text.words import Message, message
 from gripcourse.variants.headings import TableColumn, declared_names
 from gripcourse.variants.sheet import Sheet
+
+_NAMED: Final = 10  # rows that a note names
 
 
 def said_of_left(
@@ -27,13 +31,13 @@ def said_of_left(
     found = [row for row in sheet.rows if row.number in marks]
     if not found:
         return ()
-    rows = (row_shown(sheet, row, [*names_in(row, columns), marks[row.number]]) for row in found)
+    rows = [row_shown(sheet, row, [*names_in(row, columns), marks[row.number]]) for row in found]
     said = message(
         "{file}: rows are marked as people who have left, and were taken over all the same: "
         "{rows}. Delete the rows of those who are to get none; who has an assignment is taken out "
         "by gripcourse withdraw.",
         file=sheet.file,
-        rows=", ".join(rows),
+        rows=first_of(rows, _NAMED),
     )
     return (said,)
 
