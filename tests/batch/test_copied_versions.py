@@ -62,6 +62,13 @@ def handed_in(
     return judge(work, issued, plan, context.policy)
 
 
+def said(reports: list[Report], context: GradingContext) -> str:
+    """What is said of the likeness of one student's work."""
+    batch = [Graded(one, "") for one in reports]
+    flags = like_others(batch, context).flags["s04"]
+    return " ".join(str(one.message) for one in flags)
+
+
 def codes(
     reports: list[Report], context: GradingContext, kept: KeptReports | None = None
 ) -> dict[str, set[tuple[str, ...]]]:
@@ -86,6 +93,7 @@ def test_whoever_copies_a_sheet_is_flagged_whichever_its_owner_answered(
     reports = [handed_in(reissued, plan, reissued.register["s04"], both[copied])]
     if own is not None:
         reports.append(handed_in(reissued, plan, versions(reissued)[own], both[own]))
+    assert f"those of the variant of s02 (version {copied + 1}): more" in said(reports, reissued)
     found = codes(reports, reissued)
     assert ("other_variant", "s02") in found.pop("s04")
     assert found == ({} if own is None else {"s02": set()})
@@ -121,6 +129,7 @@ def test_both_sheets_of_a_person_who_was_listed_twice_count(
     copy = handed_in(context, plan, context.register["s04"], solved(plan, joined))
     own = handed_in(context, plan, joined, solved(plan, last))
     assert codes([copy, own], context) == {"s04": {("other_variant", "s02")}, "s02": set()}
+    assert "of s02 (issued as s2, version 1): more" in said([copy, own], context)
 
 
 def solved(plan: Plan, issued: Issued) -> Mapping[str, float]:
@@ -148,7 +157,8 @@ def test_a_replaced_version_is_computed_by_the_declarations_that_it_was_issued_w
     reports = [copied, handed_in(context, plan, last, solved(plan, last))]
 
     def odds(where: GradingContext) -> float:
-        found = (one for one in evidence_of(reports, where) if one.students == ("s04", "s02"))
+        evidence = evidence_of(reports, where).evidence
+        found = (one for one in evidence if one.students == ("s04", "s02"))
         return max((one.odds for one in found if one.kind is NumberKind.OTHER_VARIANT), default=0)
 
     assert odds(context) > 1e3 * odds(reissued)
@@ -189,7 +199,9 @@ def test_a_version_judged_by_todays_declarations_too_is_in_both_rows(
 def test_the_same_numbers_issued_again_are_one_row(reissued: GradingContext) -> None:
     _, last = versions(reissued)
     again = replace(reissued, earlier={"s02": (replace(last, version=1),)})
-    assert len(ComparedVersions.of(again).variants) == len(again.register)
+    rows = ComparedVersions.of(again)
+    assert len(rows.variants) == len(again.register)
+    assert {rows.name(row) for row in range(len(rows.variants))} == {None}
     assert len(ComparedVersions.of(reissued).variants) == len(reissued.register) + 1
 
 

@@ -16,6 +16,7 @@ from gripcourse.grading.model import Report
 from gripcourse.likeness.model import ComparedWork
 from gripcourse.likeness.works import work_of
 from gripcourse.machine.shelf import Viewed
+from gripcourse.text.words import Message, message
 from gripcourse.variants.model import Issued, Variant
 from gripcourse.workbook.names import AUTHOR
 
@@ -81,6 +82,25 @@ class ComparedVersions:
             return student, _versions(student, self.context)[place].variant
 
         return Viewed(range(count + len(self.replaced)), variant)
+
+    def name(self, row: int) -> Message | None:
+        """Say which version of a student's a row is; None where the student has one row."""
+        count = len(self.students)
+        if row >= count:
+            student, place, _ = self.replaced[row - count]
+        elif any(self.students[row] == one for one, *_ in self.replaced):
+            student, place = self.students[row], -1
+        else:
+            return None
+        issued = _versions(student, self.context)[place]
+        if issued.issued_as:
+            return message(
+                "{student} (issued as {id}, version {version})",
+                student=student,
+                id=issued.issued_as,
+                version=issued.version,
+            )
+        return message("{student} (version {version})", student=student, version=issued.version)
 
     @property
     def declared(self) -> Mapping[int, Course]:

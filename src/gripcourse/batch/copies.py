@@ -48,7 +48,7 @@ def like_others(
 
     def find() -> FlagsOf:
         found = evidence_of(reports_of(graded), context, kept)
-        return flags_by_student(found, _titles(context))
+        return flags_by_student(found.evidence, _titles(context), found.versions.name)
 
     try:
         if kept is None:
@@ -88,9 +88,22 @@ def _flagged(reports: Sequence[Report], flags: FlagsOf, compared: Sequence[Repor
             yield number, replace(report, flags=(*kept, *mine, *since))
 
 
+@dataclass(frozen=True, slots=True)
+class FoundAlike:
+    """What is alike in a batch.
+
+    Attributes:
+        evidence: of likeness.
+        versions: what was issued, in rows that evidence names.
+    """
+
+    evidence: tuple[Evidence, ...]
+    versions: ComparedVersions
+
+
 def evidence_of(
     reports: Sequence[Report], context: GradingContext, kept: KeptReports | None = None
-) -> tuple[Evidence, ...]:
+) -> FoundAlike:
     """Compare the judged submissions of a batch with each other and with all issued variants.
 
     Args:
@@ -99,13 +112,13 @@ def evidence_of(
         kept: what an earlier run found out; None for nothing.
     """
     judged = _Judged.of(reports, context)
-    if not judged.places:
-        return ()
     versions = ComparedVersions.of(context, judged.by)
+    if not judged.places:
+        return FoundAlike((), versions)
     works = (versions.work(reports[place]) for place in judged.places)
     tables = solved_anew if kept is None else kept.issued_values(versions.about)
     values = issued_values(context.course, versions.variants, versions.declared, tables)
-    return find_evidence(works, values, context.policy.likeness)
+    return FoundAlike(find_evidence(works, values, context.policy.likeness), versions)
 
 
 def solve_ahead(context: GradingContext, kept: KeptReports) -> Iterator[None]:

@@ -49,7 +49,7 @@ class AskedNumbers:
         """Tell what a submission is like; the first is the likest, on whose numbers it rests."""
         odds = math.exp(min(likest[0].log - self.comparisons, _LARGEST))
         others = dict.fromkeys(one.owner for one in likest)
-        return Evidence(kind, (student, *others), odds, likest[0].rests_on)
+        return Evidence(kind, (student, *others), odds, likest[0].rests_on, likest[0].row)
 
 
 @dataclass(frozen=True, slots=True)
@@ -60,11 +60,13 @@ class Likest:
         log: logarithm of the odds, before they are divided.
         owner: whose numbers they are.
         rests_on: quantities that the odds rest on, the strongest first; of the likest alone.
+        row: of the issued values, where it is a variant that the submission is like.
     """
 
     log: float
     owner: str
     rests_on: tuple[str, ...] = ()
+    row: int | None = None
 
 
 def either_likely(asked: AskedNumbers, compared: Sequence[PairMatches]) -> Ints:

@@ -12,6 +12,8 @@ _QUANTITIES: Final = 6
 
 # The title of a quantity of a student's variant, by the ids of both.
 Titles = Callable[[str, str], Texts | str]
+# Whose a row of issued values is, where the student's id alone does not say which version it is.
+VersionNames = Callable[[int], Message | None]
 
 _IN_WORDS: Final = (
     (1e12, message("more than a million million to one")),
@@ -30,30 +32,37 @@ def odds_in_words(odds: float) -> Message:
     return next((said for least, said in _IN_WORDS if odds >= least), hardly)
 
 
-def flag_of(evidence: Evidence, titles: Titles) -> Flag:
+def unnamed(_: int) -> None:
+    """Name no version: everybody was issued to once."""
+
+
+def flag_of(evidence: Evidence, titles: Titles, versions: VersionNames = unnamed) -> Flag:
     """Return the flag of evidence, for the submission of its first student."""
     numbers = () if evidence.kind is NumberKind.SAME_CREATOR else evidence.rests_on
     return Flag(
         FlagCode(evidence.kind.value),
-        _said(evidence, titles),
+        _said(evidence, titles, versions),
         evidence.students[1:],
         rests_on=numbers,
     )
 
 
-def flags_by_student(found: Iterable[Evidence], titles: Titles) -> dict[str, tuple[Flag, ...]]:
+def flags_by_student(
+    found: Iterable[Evidence], titles: Titles, versions: VersionNames = unnamed
+) -> dict[str, tuple[Flag, ...]]:
     """Return the flags of each student's submission."""
     flags: dict[str, tuple[Flag, ...]] = {}
     for evidence in found:
         student = evidence.students[0]
-        flag = flag_of(evidence, titles)
+        flag = flag_of(evidence, titles, versions)
         if flag not in flags.get(student, ()):
             flags[student] = (*flags.get(student, ()), flag)
     return flags
 
 
-def _said(evidence: Evidence, titles: Titles) -> Message:
-    others = _names_text(evidence.students[1:], _STUDENTS)
+def _said(evidence: Evidence, titles: Titles, versions: VersionNames) -> Message:
+    version = None if evidence.row is None else versions(evidence.row)
+    others = _names_text(evidence.students[1:], _STUDENTS) if version is None else version
     first, numbers = evidence.students[0], evidence.kind is not NumberKind.SAME_CREATOR
     named = [titles(first, one) if numbers else one for one in evidence.rests_on]
     names = _names_text(named, _QUANTITIES, "; " if numbers else ", ")

@@ -42,12 +42,14 @@ class Evidence:
         odds: how many times likelier copying makes it than chance, divided by the number of
             comparisons in which chance could have done it.
         rests_on: ids of the quantities, the strongest first; the author's name for a creator.
+        row: of the issued values that the submission is like; None where it is like no variant.
     """
 
     kind: NumberKind
     students: tuple[str, ...]
     odds: float
     rests_on: tuple[str, ...]
+    row: int | None = None
 
 
 @dataclass(frozen=True, slots=True)

@@ -178,9 +178,11 @@ def _common(gathering: "_Gathering", tables: Sequence[PooledWorks], submitter: I
     several = np.bincount(submitter, minlength=len(submitter))[submitter] > 1
     if several.any():
         cells = [_of_submitters(*one, submitter, several) for one in _since(tables)]
-        slips, answers = (np.concatenate(one, axis=1) for one in zip(*cells, strict=True))
-        counts -= had_again(*slips, len(counts))
-        answered = answered - had_again(*answers, len(answered))
+        (who, slip), (whose, column) = (
+            np.concatenate(one, axis=1) for one in zip(*cells, strict=True)
+        )
+        counts -= had_again(who, slip, len(counts))
+        answered = answered - had_again(whose, column, len(answered))
     return counts / answered[quantity]
 
 

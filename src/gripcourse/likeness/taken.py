@@ -99,11 +99,13 @@ def _keep_taken(
     each = np.stack([log_odds(one, pairs, asked.answers) for one in compared])
     logs = of_all(each)
     for place in np.flatnonzero(logs >= asked.least).tolist():
-        submission, name = int(part.first + row[place]), owners[first + int(owner[place])]
+        submission, theirs = int(part.first + row[place]), first + int(owner[place])
+        name = owners[theirs]
         before = found.get(submission)
         if before is None or logs[place] > before.best.log:
             nearest = compared[int(np.argmax(each[:, place]))]
-            best = Likest(float(logs[place]), name, rests_on(nearest, int(pairs[place])))
+            strongest = rests_on(nearest, int(pairs[place]))
+            best = Likest(float(logs[place]), name, strongest, theirs)
             if before is None:
                 before = found[submission] = TakenNumbers(pooled.students[submission], best)
             before.best = best
