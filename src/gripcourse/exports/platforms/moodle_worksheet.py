@@ -306,8 +306,8 @@ def _waiting(work: GradedWork, row: PlatformRow) -> Message:
 
 def _replaced(work: GradedWork, row: PlatformRow, before: str, grade: str) -> Message:
     return message(
-        "Row {row}: {student} has {before} in Moodle, and that is not from here; it becomes {grade}."
-        " To keep it, write it into the filled table again.",
+        "Row {row}: {student} has {before} in Moodle, and that is not from here; it becomes"
+        " {grade}. To keep it, write it into the filled table again.",
         row=row.line,
         student=work.said,
         before=before.strip(),
