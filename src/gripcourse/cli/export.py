@@ -171,7 +171,8 @@ def outbox(
     language: LanguageOption = None,
 ) -> None:
     """Write a folder for each student with a text and the report; you send them yourself."""
-    from gripcourse.usecases.publishing.exporting import open_results, outbox_folders
+    from gripcourse.usecases.publishing.exporting import open_results
+    from gripcourse.usecases.publishing.outbox import outbox_folders
 
     words = words_for(language)
     results = open_results(course_folder(course), grades)
