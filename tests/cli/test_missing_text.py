@@ -25,6 +25,8 @@ def test_an_archive_in_a_platforms_folder_may_be_the_work_of_who_handed_in_nothi
     folder = "РГР.zip/Смирнова Анна_921_assignsubmission_file"
     said = said_of(PassedOver(f"{folder}/work.zip", WhyNot.ARCHIVE))
     assert "may be the work of: Смирнова Анна Петровна." in said
+    typed = PassedOver("c.zip/бондарьолег_12_text.html", WhyNot.TEXT_DOCUMENT)
+    assert "may be the work of: Бондарь Олег." in said_of(typed)
     assert "may be the work of" not in said_of(PassedOver(f"{folder}/a.pdf", WhyNot.OTHER))
     assert "may be the work of" not in said_of(PassedOver("Смирнова/work.zip", WhyNot.ARCHIVE))
 

@@ -19,9 +19,11 @@ from gripcourse.text.spelling import plain
 _MOODLE: Final = re.compile(
     r"(?P<name>[^_]*)(?:_(?P<id>.+?))?_assignsubmission_[a-z]+(?:_.*)?", re.DOTALL
 )
-# `sortablename_LATE_123_456_file.xlsx`: letters and digits of the name, user, attachment, file.
+# `sortablename_LATE_123_456_file.xlsx`: letters and digits of the name, user, attachment, file; what
+# was typed or linked there has no attachment.
 _CANVAS: Final = re.compile(
-    r"(?P<name>[^\W_]+)(?P<late>_LATE)?_(?P<id>\d+)_\d+_.+", re.DOTALL | re.IGNORECASE
+    r"(?P<name>[^\W_]+)(?P<late>_LATE)?_(?P<id>\d+)_(?:\d+_.+|(?:text|link)\.html)",
+    re.DOTALL | re.IGNORECASE,
 )
 _WORD: Final = re.compile(r"[^\W_]+")
 # What Moodle writes for a name where nobody may know it, in the languages of its packs.
