@@ -19,8 +19,8 @@ from gripcourse.text.spelling import plain
 _MOODLE: Final = re.compile(
     r"(?P<name>[^_]*)(?:_(?P<id>.+?))?_assignsubmission_[a-z]+(?:_.*)?", re.DOTALL
 )
-# `sortablename_LATE_123_456_file.xlsx`: letters and digits of the name, user, attachment, file; what
-# was typed or linked there has no attachment.
+# `sortablename_LATE_123_456_file.xlsx`: letters and digits of the name, user, attachment, file.
+# What was typed or linked there has no attachment.
 _CANVAS: Final = re.compile(
     r"(?P<name>[^\W_]+)(?P<late>_LATE)?_(?P<id>\d+)_(?:\d+_.+|(?:text|link)\.html)",
     re.DOTALL | re.IGNORECASE,

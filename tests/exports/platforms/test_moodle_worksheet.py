@@ -15,7 +15,11 @@ from gripcourse.exports.platforms.comment import comment_html
 from gripcourse.exports.platforms.moodle_comment import beside_others
 from gripcourse.exports.platforms.moodle_feedback import feedback_zip
 from gripcourse.exports.platforms.moodle_words import HEADINGS, MoodleColumn
-from gripcourse.exports.platforms.moodle_worksheet import fill_worksheet, read_worksheet
+from gripcourse.exports.platforms.moodle_worksheet import (
+    fill_worksheet,
+    read_worksheet,
+    to_choose,
+)
 from gripcourse.exports.platforms.works import GradedWork
 from gripcourse.machine.content import NamedBytes
 from gripcourse.text.words import Words
@@ -144,6 +148,13 @@ def test_encoding_and_separator_stay(works: Works, encoding: str) -> None:
 def test_the_code_page_of_the_shortest_worksheet_is_told_by_its_headings(encoding: str) -> None:
     worksheet = read_worksheet(sheet("Идентификатор;Оценка;Последнее изменение (оценка)", encoding))
     assert (worksheet.language, worksheet.table.separator) == ("ru", ";")
+
+
+def test_what_a_spreadsheet_program_made_of_a_worksheet_has_to_be_chosen_in_moodle() -> None:
+    assert to_choose(read_worksheet(sheet(EN))) is None
+    said = to_choose(read_worksheet(sheet(UK, "cp1251")))
+    assert said is not None
+    assert "the separator ; and the encoding CP1251" in Words("en").say(said)
 
 
 @pytest.mark.parametrize("separator", [",", ";", "\t"])

@@ -29,6 +29,7 @@ from gripcourse.exports.platforms.works import GradedWork, PlatformRow
 from gripcourse.machine.content import Readable
 from gripcourse.text.words import Message, message
 
+_USUAL: Final = (",", {"utf-8", "utf-8-sig"})  # what Moodle takes a worksheet for
 _NUMBER: Final = re.compile(r"(\d+)$")
 _DATE: Final = re.compile(
     r"(?P<day>\d{1,2})\s+(?P<month>[^\W\d_]+)\s+(?P<year>\d{4})\D+"
@@ -125,6 +126,22 @@ def read_worksheet(source: Readable) -> Worksheet:
     if twice:
         raise UsageError([_ambiguous(table, HEADINGS[language][one]) for one in twice])
     return Worksheet(table, language, columns)
+
+
+def to_choose(worksheet: Worksheet) -> Message | None:
+    """Say what has to be chosen where a worksheet is uploaded; None where Moodle's choice is right.
+
+    A program that saved it may have taken another separator or encoding, and both stay.
+    """
+    separator, encodings = _USUAL
+    table = worksheet.table
+    if table.separator == separator and table.encoding in encodings:
+        return None
+    return message(
+        "Where you upload it, choose the separator {separator} and the encoding {encoding}.",
+        separator="TAB" if table.separator == "\t" else table.separator,
+        encoding=table.encoding.removesuffix("-sig").upper(),
+    )
 
 
 def handed_in_moments(worksheet: Worksheet) -> dict[str, tuple[str, str]]:
