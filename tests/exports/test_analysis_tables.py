@@ -24,7 +24,8 @@ SAID = datetime(2026, 11, 30, 18, tzinfo=UTC)
 def attempt(student: str, digest: str, points: float, regrade: int | None = None) -> Attempt:
     results = (
         Result("force", Outcome.CORRECT, points, 4.0),
-        Result("drawing", Outcome.CORRECT, 0.0, 0.0),
+        Result("verdict", Outcome.CORRECT, 0.0, 0.0),
+        Result("drawing", Outcome.MANUAL, 0.0, 4.0),
     )
     prints = Fingerprints("c", "p", "e")
     return Attempt(

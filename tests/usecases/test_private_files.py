@@ -31,9 +31,9 @@ from gripcourse.usecases.publishing.exporting import (
     gradescope_file,
     moodle_files,
     moodle_questions,
-    outbox_folders,
     table_files,
 )
+from gripcourse.usecases.publishing.outbox import outbox_folders
 from gripcourse.usecases.serving.links import PersonalLink, write_links
 from gripcourse.variants.model import Issued
 from support.reports import perfect, values, variant
@@ -239,7 +239,7 @@ def test_nothing_runs_in_what_is_taken_elsewhere(text: str, taken: Taken, tmp_pa
     ("escape", "text"),
     [
         ("exports.results_tables.text_cell", "formula"),
-        ("usecases.publishing.exporting.text_cell", "second_cell"),
+        ("usecases.publishing.outbox.text_cell", "second_cell"),
         ("usecases.serving.links.text_cell", "formula"),
         ("usecases.serving.links.text_cell", "terminal"),
         ("text.words.one_line", "second_line"),

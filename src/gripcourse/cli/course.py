@@ -1,7 +1,7 @@
 """Commands on a course as a whole, and on the machine: parse, one call, print. No logic."""
 
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Final
 
 import typer
 
@@ -23,10 +23,13 @@ from gripcourse.cli.options import (
     words_for,
 )
 from gripcourse.errors import GripcourseError
+from gripcourse.text.shown import first_of, one_line
 from gripcourse.text.words import LANGUAGES, Message, Words, message
 
 # Every command imports what it needs itself, as in `cli`.
 # ruff: noqa: PLC0415
+
+_NAMED: Final = 20  # files that were not copied
 
 app = typer.Typer()
 
@@ -134,9 +137,16 @@ def init(
         if templates:
             raise cli_text.misuse(message("--templates and --empty exclude each other."))
         empty_course(folder, secrets.token_bytes(32), words)
+        left: tuple[str, ...] = ()
     else:
-        init_course(folder, secrets.token_bytes(32), words, source, with_templates=templates)
+        left = init_course(folder, secrets.token_bytes(32), words, source, with_templates=templates)
     confirm(words.say(message("The course is in {folder}.", folder=str(folder))))
+    if left:
+        said = message(
+            "Not copied, as it belongs to the other term or to no course: {names}.",
+            names=first_of([one_line(name) for name in left], _NAMED),
+        )
+        confirm(words.say(said))
     if source is not None and main_table(folder).is_file():
         confirm(words.say(_drawn_for_others(folder, source)))
 

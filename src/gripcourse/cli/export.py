@@ -50,6 +50,7 @@ def moodle(
     language: LanguageOption = None,
 ) -> None:
     """Fill the grades into Moodle's grading worksheet, and pack the reports for Moodle."""
+    from gripcourse.exports.platforms.moodle_worksheet import to_choose
     from gripcourse.usecases.publishing.exporting import moodle_files, open_results
 
     words = words_for(language)
@@ -63,6 +64,9 @@ def moodle(
         file=str(out),
     )
     confirm(words.say(said))
+    choice = to_choose(filled.worksheet)
+    if choice is not None:
+        confirm(words.say(choice))
     if feedback is not None:
         said = message("Upload the worksheet first, then {file}.", file=str(feedback))
         confirm(words.say(said))
@@ -171,7 +175,8 @@ def outbox(
     language: LanguageOption = None,
 ) -> None:
     """Write a folder for each student with a text and the report; you send them yourself."""
-    from gripcourse.usecases.publishing.exporting import open_results, outbox_folders
+    from gripcourse.usecases.publishing.exporting import open_results
+    from gripcourse.usecases.publishing.outbox import outbox_folders
 
     words = words_for(language)
     results = open_results(course_folder(course), grades)

@@ -123,7 +123,8 @@ def batch_text(outcome: "GradingOutcome", out: Path, words: Words) -> str:
     lines += _passed_over(outcome, words)
     lines += times_text.without_times(outcome.reports, words)
     lines += times_text.without_deadlines(outcome.undated, words)
-    lines += missing_text(outcome.missing, names, words)
+    others = [one.file for one in outcome.passed_over if one.needs_person]
+    lines += missing_text(outcome.missing, names, others, words)
     if outcome.left_over:
         said = message(
             "Reports of an earlier run that this one did not renew: {names}.",
@@ -188,8 +189,9 @@ def _passed_over(outcome: "GradingOutcome", words: Words) -> Iterator[str]:
     """Yield a line for each reason why files were not looked at; `files.csv` names them all."""
     from gripcourse.usecases.grading.collect import REASONS
 
+    called = told_apart([one.file for one in outcome.passed_over])
     for why, reason in REASONS.items():
-        names = [one_line(Path(one.file).name) for one in outcome.passed_over if one.why is why]
+        names = [called(one.file) for one in outcome.passed_over if one.why is why]
         if names:
             more = f", … ({len(names)})" if len(names) > _NAMED else ""
             said = message(

@@ -50,8 +50,11 @@ def draw(  # noqa: PLR0913 (one parameter per option)
         bool, typer.Option("--freely", help="Do not keep the variants apart from each other.")
     ] = False,
     apart_from: Annotated[
-        Path | None,
-        typer.Option("--apart-from", help="A table to keep apart from, as of last year."),
+        list[Path] | None,
+        typer.Option(
+            "--apart-from",
+            help="A table to keep apart from, as of last year; as often as there are tables.",
+        ),
     ] = None,
     out: OutTableOption = Path("variants.csv"),
     course: CourseOption = None,
@@ -61,13 +64,15 @@ def draw(  # noqa: PLR0913 (one parameter per option)
     from gripcourse.course.load import load_course
     from gripcourse.usecases.solving.variants import draw_table
 
-    if freely and apart_from is not None:
+    if freely and apart_from:
         raise cli_text.misuse(message("--freely and --apart-from exclude each other."))
     words = words_for(language)
     loaded = load_course(course_folder(course))
 
     def make() -> "Drawn":
-        return draw_table(loaded, count, seed, scheme, out, freely=freely, apart_from=apart_from)
+        return draw_table(
+            loaded, count, seed, scheme, out, freely=freely, apart_from=apart_from or ()
+        )
 
     drawn, kept = keeping_former(out, make)
     confirm(cli_text.drawn_text(drawn, out, words))

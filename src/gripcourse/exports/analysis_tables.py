@@ -141,4 +141,9 @@ def _regrades(attempts: Sequence[Attempt], undone: set[int]) -> list[tuple[Any, 
 
 
 def _shares(attempt: Attempt) -> Mapping[str, float]:
-    return {one.quantity: one.points / one.max_points for one in attempt.results if one.max_points}
+    # What a person marks has no share here: no regrade changes it.
+    return {
+        one.quantity: one.points / one.max_points
+        for one in attempt.results
+        if one.max_points and not one.outcome.traits.by_rubric
+    }

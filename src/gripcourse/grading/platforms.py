@@ -20,8 +20,10 @@ _MOODLE: Final = re.compile(
     r"(?P<name>[^_]*)(?:_(?P<id>.+?))?_assignsubmission_[a-z]+(?:_.*)?", re.DOTALL
 )
 # `sortablename_LATE_123_456_file.xlsx`: letters and digits of the name, user, attachment, file.
+# What was typed or linked there has no attachment.
 _CANVAS: Final = re.compile(
-    r"(?P<name>[^\W_]+)(?:_LATE)?_(?P<id>\d+)_\d+_.+", re.DOTALL | re.IGNORECASE
+    r"(?P<name>[^\W_]+)(?P<late>_LATE)?_(?P<id>\d+)_(?:\d+_.+|(?:text|link)\.html)",
+    re.DOTALL | re.IGNORECASE,
 )
 _WORD: Final = re.compile(r"[^\W_]+")
 # What Moodle writes for a name where nobody may know it, in the languages of its packs.
@@ -37,11 +39,13 @@ class PlatformPart:
         identifier: whose it is, as the platform or the department numbers people; empty for none.
         name: of the person, as the platform writes it; empty for none.
         joined: whether the words of the name stand without anything between them.
+        late: whether the platform says that it came late, by its own deadline.
     """
 
     identifier: str
     name: str
     joined: bool
+    late: bool = False
 
     def stands_for(self, *full_names: str) -> bool:
         """Tell whether the number is that of a person with one of these names.
@@ -67,7 +71,7 @@ def platform_part(file: str) -> PlatformPart | None:
         if found := _MOODLE.fullmatch(part):
             return PlatformPart(found["id"] or "", found["name"], joined=False)
     if found := _CANVAS.fullmatch(path.name):
-        return PlatformPart(found["id"], found["name"], joined=True)
+        return PlatformPart(found["id"], found["name"], joined=True, late=bool(found["late"]))
     return None
 
 

@@ -137,6 +137,13 @@ def beginning_of_member(archive: Path, place: int, count: int) -> bytes:
         raise UnreadableMemberError(str(fault)) from fault
 
 
+def damaged_zip(archive: Path) -> Problem:
+    """Say that a file that is called a zip is none that can be read."""
+    what = message("This is no zip that can be read: it is damaged or something else.")
+    remedy = message("Download it again, or unpack it and name the folder.")
+    return Problem(str(archive), "", what, remedy)
+
+
 @contextmanager
 def _opened(archive: Path) -> Iterator[zipfile.ZipFile]:
     try:
@@ -146,9 +153,7 @@ def _opened(archive: Path) -> Iterator[zipfile.ZipFile]:
     except (*_DAMAGE, OSError) as fault:
         if _is_of_the_disk(fault):
             raise
-        what = message("This is no zip that can be read: it is damaged or something else.")
-        remedy = message("Download it again, or unpack it and name the folder.")
-        raise UsageError([Problem(str(archive), "", what, remedy)]) from fault
+        raise UsageError([damaged_zip(archive)]) from fault
 
 
 def _refuse_begun_before(opened: zipfile.ZipFile) -> None:

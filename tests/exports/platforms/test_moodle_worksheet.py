@@ -12,9 +12,14 @@ import pytest
 from gripcourse.course.model import Course
 from gripcourse.errors import UsageError
 from gripcourse.exports.platforms.comment import comment_html
+from gripcourse.exports.platforms.moodle_comment import beside_others
 from gripcourse.exports.platforms.moodle_feedback import feedback_zip
 from gripcourse.exports.platforms.moodle_words import HEADINGS, MoodleColumn
-from gripcourse.exports.platforms.moodle_worksheet import fill_worksheet, read_worksheet
+from gripcourse.exports.platforms.moodle_worksheet import (
+    fill_worksheet,
+    read_worksheet,
+    to_choose,
+)
 from gripcourse.exports.platforms.works import GradedWork
 from gripcourse.machine.content import NamedBytes
 from gripcourse.text.words import Words
@@ -51,7 +56,7 @@ def sheet(text: str, encoding: str = "utf-8-sig") -> NamedBytes:
 
 
 def filled(source: NamedBytes, works: tuple[GradedWork, ...]) -> bytes:
-    return fill_worksheet(read_worksheet(source), works, lambda _: "<p>ok</p>").content
+    return fill_worksheet(read_worksheet(source), works, lambda _: "ok").content
 
 
 def rows(content: bytes, encoding: str = "utf-8-sig", separator: str = ",") -> list[dict[str, str]]:
@@ -69,8 +74,41 @@ def test_only_grade_and_comment_are_filled_in(works: Works) -> None:
         if old[name] != new[name]
     }
     assert changed == {(0, "Grade"), (0, "Feedback comments")}
-    assert after[0]["Feedback comments"] == "<p>ok</p>"
+    assert after[0]["Feedback comments"] == beside_others("", "ok", after[0]["Grade"])
     assert 0 < float(after[0]["Grade"]) <= 100
+
+
+def graded_row(grade: str, comment: str) -> NamedBytes:
+    """Make a worksheet in which somebody has a grade and a comment already."""
+    cells = '"Submitted for grading -  - ",{},100.00,Yes,"Saturday, 21 November 2026, 8:07 AM",-,{}'
+    return sheet(EN.replace(cells.format("", "\n"), cells.format(grade, f"{comment}\n"), 1))
+
+
+def test_what_a_person_wrote_beside_a_grade_stays(works: Works) -> None:
+    source = graded_row("", "<p>Draw the jaws anew.</p>")
+    found = works({ZIP.format(12): "s17"})
+    (first, *_) = rows(filled(source, found))
+    again = sheet(filled(source, found).decode("utf-8-sig"))
+    (second, *_) = rows(fill_worksheet(read_worksheet(again), found, lambda _: "better").content)
+    assert first["Feedback comments"].startswith("<p>Draw the jaws anew.</p><p ")
+    assert second["Feedback comments"] == first["Feedback comments"].replace("ok", "better")
+
+
+def test_a_grade_that_a_person_gave_in_moodle_is_named_before_it_is_replaced(
+    works: Works,
+) -> None:
+    found = works({ZIP.format(12): "s17"})
+    typed = fill_worksheet(read_worksheet(graded_row("88.50", "")), found, lambda _: "ok")
+    (said,) = typed.notes
+    assert "88.50" in Words("en").say(said)
+    (row, *_) = rows(typed.content)
+    # Another mark for the same work: what stands there is what came from here.
+    ours = beside_others("", "ok", "12.00").replace('"', '""')
+    assert fill_worksheet(read_worksheet(graded_row("12.00", f'"{ours}"')), found, str).notes == ()
+    ours = beside_others("", "ok", row["Grade"]).replace('"', '""')
+    later = graded_row("95.00", f'"{ours}"')
+    (said,) = fill_worksheet(read_worksheet(later), found, lambda _: "ok").notes
+    assert "95.00" in Words("en").say(said)
 
 
 def test_a_row_without_a_work_stays_byte_for_byte(works: Works) -> None:
@@ -98,7 +136,7 @@ def test_a_russian_worksheet_gets_a_point_and_a_date_that_moodle_reads(works: Wo
 @pytest.mark.parametrize("encoding", ["cp1251", "koi8_u", "mac_cyrillic", "utf-8", "utf-16"])
 def test_encoding_and_separator_stay(works: Works, encoding: str) -> None:
     found = works({ZIP.format(12): "s17", "x/s18.xlsx": "s18"})
-    result = fill_worksheet(read_worksheet(sheet(UK, encoding)), found, lambda _: "<p>ok</p>")
+    result = fill_worksheet(read_worksheet(sheet(UK, encoding)), found, lambda _: "ok")
     first, second = rows(result.content, encoding, ";")
     assert 0 < float(first["Оцінка"]) <= 50
     assert first["Востаннє змінювалося (оцінка)"] == "2026-11-21 20:07"
@@ -110,6 +148,13 @@ def test_encoding_and_separator_stay(works: Works, encoding: str) -> None:
 def test_the_code_page_of_the_shortest_worksheet_is_told_by_its_headings(encoding: str) -> None:
     worksheet = read_worksheet(sheet("Идентификатор;Оценка;Последнее изменение (оценка)", encoding))
     assert (worksheet.language, worksheet.table.separator) == ("ru", ";")
+
+
+def test_what_a_spreadsheet_program_made_of_a_worksheet_has_to_be_chosen_in_moodle() -> None:
+    assert to_choose(read_worksheet(sheet(EN))) is None
+    said = to_choose(read_worksheet(sheet(UK, "cp1251")))
+    assert said is not None
+    assert "the separator ; and the encoding CP1251" in Words("en").say(said)
 
 
 @pytest.mark.parametrize("separator", [",", ";", "\t"])
@@ -243,7 +288,7 @@ def test_a_scale_of_words_is_filled_with_the_word_that_the_policy_has_too(works:
     found = fill_worksheet(
         read_worksheet(sheet(SCALE)),
         [called(work, {"ects": "B", "national": "good", "percent": "81"})],
-        lambda _: "<p>ok</p>",
+        lambda _: "ok",
     )
     assert [row["Grade"] for row in rows(found.content)] == ["Good", "", ""]
     assert (found.filled, found.updates, found.notes) == (1, 1, ())
@@ -252,7 +297,7 @@ def test_a_scale_of_words_is_filled_with_the_word_that_the_policy_has_too(works:
 def test_before_all_points_are_given_there_is_no_word(works: Works) -> None:
     (work,) = works({ZIP.format(12): "s17"})
     found = fill_worksheet(
-        read_worksheet(sheet(SCALE)), [called(work, {"national": ""}, 8.0)], lambda _: "<p>ok</p>"
+        read_worksheet(sheet(SCALE)), [called(work, {"national": ""}, 8.0)], lambda _: "ok"
     )
     assert found.content == sheet(SCALE).data
     assert "no grade in words" in str(found.notes[0])
@@ -293,7 +338,8 @@ def test_marking_columns_and_every_other_byte_stay_as_they_stood(
     text = separator.join(head) + "\r\n" + separator.join(before) + "\r\n"
     content = filled(sheet(text), works({ZIP.format(12): "s17"})).decode("utf-8-sig")
     grade = f"{works({ZIP.format(12): 's17'})[0].share * 100:.2f}"
-    after = [*before[:3], grade, *before[4:-1], "<p>ok</p>"]
+    comment = beside_others("old, text", "ok", grade).replace('"', '""')
+    after = [*before[:3], grade, *before[4:-1], f'"{comment}"']
     assert content == separator.join(head) + "\r\n" + separator.join(after) + "\r\n"
 
 
@@ -306,8 +352,8 @@ def test_a_maximum_of_which_there_is_no_part_is_refused(works: Works, maximum: s
 def test_a_comment_is_html_without_line_ends(works: Works, course: Course) -> None:
     (work,) = works({ZIP.format(12): "s17"})
     said = comment_html(work, course, Words("ru"))
-    assert said.startswith("<p>")
     assert "\n" not in said
+    assert said.count("<br>") >= len(course.sections) - 1
     assert all(section.title.of("ru") in said for section in course.sections[:2])
 
 

@@ -8,12 +8,14 @@ import pytest
 
 from gripcourse.exports.platforms.matching import Matching, match
 from gripcourse.exports.platforms.works import PlatformRow, works_of
+from gripcourse.variants.model import Student
 
 if TYPE_CHECKING:
     from gripcourse.exports.report_result import GradesResult
 
 Graded = Callable[..., "GradesResult"]
 OLGA = "Иванова Ольга Сергеевна"
+STUDENTS = {"s17": Student("s17", "Иванова Ольга", "", "ivanova@uni.ua", "", "")}
 
 
 def matched(graded: Graded, called: str, rows: list[str], **others: str) -> Matching:
@@ -56,3 +58,22 @@ def test_another_name_and_a_single_word_are_nobodys(graded: Graded, row: str) ->
     found = matched(graded, OLGA, [row])
     assert found.works == {}
     assert "is not in the platform's table" in str(found.notes[0])
+
+
+@pytest.mark.parametrize(
+    ("row", "address", "is_named"),
+    [
+        ("Чужой Человек", "", True),
+        ("Иванова О.", "", False),
+        ("", "", False),
+        ("Чужой Человек", "ivanova@uni.ua", False),
+    ],
+)
+def test_a_row_of_another_name_that_the_number_alone_tells_is_named(
+    graded: Graded, row: str, address: str, *, is_named: bool
+) -> None:
+    file = f"РГР.zip/{row or 'Участник'}_55_assignsubmission_file/a.xlsx"
+    works, _ = works_of(graded({file: "s17"}), {"s17": STUDENTS["s17"]})
+    found = match(works, [PlatformRow(2, "55", (address,), row)], "table.csv")
+    assert set(found.works) == {2}
+    assert [str(one).count("bear other names") for one in found.notes] == [1] * is_named

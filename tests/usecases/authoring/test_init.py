@@ -69,10 +69,16 @@ def test_the_copy_is_a_course_itself(tmp_path: Path) -> None:
 def test_nobody_elses_students_are_taken_over(tmp_path: Path) -> None:
     source = tmp_path / "theirs"
     empty_course(source, bytes(32), WORDS)
-    (source / "variants" / "students 2026.xlsx").write_bytes(b"Anna")
+    lists = ("students 2026.xlsx", "roster.xls", "roster.csv.bak", ".~lock.roster.csv#", "list.txt")
+    for name in (*lists, "rosters/41.csv", "../grader/marks.csv", "catalogues/~$list.xlsx"):
+        path = source / "variants" / name
+        path.parent.mkdir(exist_ok=True)
+        path.write_bytes(b"Anna")
     for name in ("register.json", "gradebook.sqlite"):
         (source / "private" / name).write_text("Anna", encoding="utf-8")
-    init_course(tmp_path / "mine", SECRET, WORDS, source=source)
+    left = init_course(tmp_path / "mine", SECRET, WORDS, source=source)
+    assert {"variants/roster.xls", "variants/rosters/", "grader/marks.csv"} < set(left)
+    assert len(left) == len(lists) + 3
     mine, theirs = files_below(tmp_path / "mine"), files_below(source)
     assert [name for name, content in mine.items() if b"Anna" in content] == []
     assert read_key(key_path(tmp_path / "mine")) == SECRET

@@ -106,10 +106,18 @@ def test_a_file_named_twice_is_graded_once(tmp_path: Path) -> None:
 
 
 def test_a_file_that_is_named_is_graded_whatever_its_suffix(tmp_path: Path) -> None:
-    made(tmp_path, "work.zip", "a.xlsx")
-    found = collect([tmp_path, tmp_path / "work.zip"])
-    assert {path.name for path in found.files} == {"work.zip", "a.xlsx"}
+    made(tmp_path, "work.docx", "a.xlsx")
+    found = collect([tmp_path, tmp_path / "work.docx"])
+    assert {path.name for path in found.files} == {"work.docx", "a.xlsx"}
     assert found.passed_over == ()
+
+
+@pytest.mark.parametrize("content", [b"", b"<html>Sign in</html>", b"PK\x03\x04 broken off"])
+def test_a_zip_that_broke_off_is_nobodys_work(content: bytes, tmp_path: Path) -> None:
+    made(tmp_path, "a.xlsx")
+    (tmp_path / "RGR.zip").write_bytes(content)
+    with pytest.raises(UsageError, match=r"RGR\.zip.*no zip that can be read"):
+        collect([tmp_path / "RGR.zip", tmp_path / "a.xlsx"])
 
 
 def test_all_paths_that_are_not_there_are_named_at_once(tmp_path: Path) -> None:

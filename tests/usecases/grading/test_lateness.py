@@ -218,6 +218,9 @@ def test_works_without_a_time_are_named_and_have_no_days_late(office: Office) ->
     reports = [one.report for one in keep(graded, office.context, office.place, NOW)]
     (said,) = without_times(reports, Words("en"))
     assert said.startswith("Nobody knows when these were handed in, so none of them is late (2)")
+    late = replace(reports[0], file="c.zip/иванова_LATE_1_2_a.xlsx")
+    (_, said) = without_times([late, reports[1]], Words("en"))
+    assert said.endswith("takes nothing off here: иванова_LATE_1_2_a.xlsx.")
     header, row, _ = grades_text(reports).splitlines()
     assert dict(zip(header.split(","), row.split(","), strict=False))["days_late"] == ""
     assert [report_result(one, Words("en")).days_late for one in reports] == [None, None]

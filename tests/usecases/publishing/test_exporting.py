@@ -23,8 +23,9 @@ from gripcourse.usecases.publishing.exporting import (
     gradescope_file,
     moodle_files,
     open_results,
-    outbox_folders,
+    table_files,
 )
+from gripcourse.usecases.publishing.outbox import outbox_folders
 from support.reports import perfect, values, variant
 
 if TYPE_CHECKING:
@@ -64,6 +65,23 @@ def test_the_folder_of_a_grading_stands_for_its_results(
     named, whole = (open_results(issued.course.root, one) for one in (file, tmp_path))
     assert whole == named
     assert whole.reports == tmp_path / "reports"
+
+
+def test_what_is_no_result_is_named_by_its_file(issued: "Classroom", tmp_path: Path) -> None:
+    (tmp_path / "other.json").write_text('{"schema": "other/1"}', encoding="utf-8")
+    with pytest.raises(UsageError, match=r"other\.json.*other/1"):
+        open_results(issued.course.root, tmp_path / "other.json")
+
+
+def test_tables_of_an_earlier_grading_stay_where_one_cannot_be_written(
+    issued: "Classroom", perfect: Report, tmp_path: Path
+) -> None:
+    results = several(issued, perfect, True)
+    (tmp_path / "students.csv").write_bytes(b"of an earlier grading")
+    (tmp_path / "items.csv").mkdir()  # where a file can take no place
+    with pytest.raises(OSError, match=r"items\.csv"):
+        table_files(results, tmp_path, str(tmp_path / "none.sqlite"))
+    assert (tmp_path / "students.csv").read_bytes() == b"of an earlier grading"
 
 
 def test_where_no_rule_says_which_counts_a_person_is_asked(

@@ -107,3 +107,16 @@ def test_a_template_is_a_table_that_can_be_imported_as_it_is(
     example = course.schemes["plain_lever"].example
     assert example is not None
     assert own.variants[0].given.items() <= example.given.items()
+
+
+def test_a_third_term_keeps_apart_from_both_before(course: Course, tmp_path: Path) -> None:
+    tables = [tmp_path / f"{number}.csv" for number in range(3)]
+    drawn = [
+        {
+            tuple(sorted(one.given.items()))
+            for one in draw_table(course, 4, 1, SCHEME, table, apart_from=tables[:number]).variants
+        }
+        for number, table in enumerate(tables)
+    ]
+    # The same seed: without the other tables the same variants.
+    assert len(set.union(*drawn)) == 12

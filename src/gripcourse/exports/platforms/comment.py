@@ -47,8 +47,8 @@ def late_lines(report: ReportResult, words: Words) -> Iterator[str]:
 
 
 def comment_html(work: GradedWork, course: Course, words: Words) -> str:
-    """Return the lines as a platform stores a comment: HTML, without a single line end."""
-    return f"<p>{'<br>'.join(map(escape, comment_lines(work, course, words)))}</p>"
+    """Return the lines as a platform stores a paragraph: HTML, without a single line end."""
+    return "<br>".join(map(escape, comment_lines(work, course, words)))
 
 
 def _of(points: float, total: float, words: Words) -> str:

@@ -16,7 +16,7 @@ from typing import Final
 from gripcourse.errors import Problem, UsageError
 from gripcourse.exports.platforms.names import Names, names_by_words
 from gripcourse.exports.platforms.works import GradedWork, PlatformRow
-from gripcourse.grading.platforms import PlatformPart
+from gripcourse.grading.platforms import PlatformPart, words_of
 from gripcourse.text.shown import first_of
 from gripcourse.text.words import Message, message
 
@@ -78,7 +78,8 @@ def match(
         raise UsageError(problems)
     if by_part:
         notes.append(_by_a_part(by_part))
-    return Matching({line: one for line, (one,) in found.items()}, tuple(notes))
+    matched = {line: one for line, (one,) in found.items()}
+    return Matching(matched, (*notes, *_of_other_names(matched, table)))
 
 
 @dataclass(frozen=True, slots=True)
@@ -166,6 +167,10 @@ def _is_of_person(part: PlatformPart, work: GradedWork, row: PlatformRow) -> boo
     return part.stands_for(row.name, work.report.name)
 
 
+def _shares_a_word(name: str, other: str) -> bool:
+    return not set(words_of(name)).isdisjoint(words_of(other))
+
+
 def _key(text: str) -> str:
     return text.strip().casefold()
 
@@ -245,3 +250,21 @@ def _by_a_part(rows: Sequence[tuple[PlatformRow, GradedWork]]) -> Message:
         count=len(rows),
         rows=first_of([f"{row.line} {row.name} = {work.said}" for row, work in rows], _SHOWN),
     )
+
+
+def _of_other_names(works: Mapping[int, GradedWork], table: _Table) -> Iterator[Message]:
+    """Name the rows that the number alone tells and that have no word of the student's name."""
+    rows = [
+        (row, work)
+        for line, work in works.items()
+        if (row := table.lines[line]).name
+        and row not in table.by_key(work)
+        and not _shares_a_word(row.name, work.report.name)
+    ]
+    if rows:
+        yield message(
+            "The number in the path alone tells whose these rows are ({count}), and they bear other"
+            " names; look at them: {rows}.",
+            count=len(rows),
+            rows=first_of([f"{row.line} {row.name} = {work.said}" for row, work in rows], _SHOWN),
+        )

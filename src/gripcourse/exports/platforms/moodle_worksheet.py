@@ -2,9 +2,9 @@
 
 Its import fails silently in many ways, so the instructor's own export is the base: numbers of the
 participants, headings, encoding and order come from it. Only the grade and the comment are filled
-in, the grade with a decimal point, which every language of Moodle reads; a row without a work stays
-byte for byte. A date of the last grade that Moodle wrote and cannot read again would make it skip
-the row: it is written so that it can.
+in, the grade with a decimal point, which every language of Moodle reads, the comment beside what a
+person wrote there; a row without a work stays byte for byte. A date of the last grade that Moodle
+wrote and cannot read again would make it skip the row: it is written so that it can.
 """
 
 import re
@@ -15,6 +15,7 @@ from typing import Final
 
 from gripcourse.errors import Problem, UsageError
 from gripcourse.exports.platforms.matching import Matching, match
+from gripcourse.exports.platforms.moodle_comment import beside_others, grade_with
 from gripcourse.exports.platforms.moodle_grade import grade_of, is_other_grade
 from gripcourse.exports.platforms.moodle_words import (
     HEADINGS,
@@ -28,6 +29,7 @@ from gripcourse.exports.platforms.works import GradedWork, PlatformRow
 from gripcourse.machine.content import Readable
 from gripcourse.text.words import Message, message
 
+_USUAL: Final = (",", {"utf-8", "utf-8-sig"})  # what Moodle takes a worksheet for
 _NUMBER: Final = re.compile(r"(\d+)$")
 _DATE: Final = re.compile(
     r"(?P<day>\d{1,2})\s+(?P<month>[^\W\d_]+)\s+(?P<year>\d{4})\D+"
@@ -91,7 +93,8 @@ class FilledWorksheet:
         content: the file for Moodle.
         filled: how many rows have a grade now.
         updates: in how many of them it is another one than before: Moodle counts only these.
-        notes: works without a row and rows that were left alone, each with the reason.
+        notes: works without a row, rows that were left alone, each with the reason, and grades of
+            a person's that become others.
         matching: which row is whose.
         worksheet: as it was.
     """
@@ -125,6 +128,22 @@ def read_worksheet(source: Readable) -> Worksheet:
     return Worksheet(table, language, columns)
 
 
+def to_choose(worksheet: Worksheet) -> Message | None:
+    """Say what has to be chosen where a worksheet is uploaded; None where Moodle's choice is right.
+
+    A program that saved it may have taken another separator or encoding, and both stay.
+    """
+    separator, encodings = _USUAL
+    table = worksheet.table
+    if table.separator == separator and table.encoding in encodings:
+        return None
+    return message(
+        "Where you upload it, choose the separator {separator} and the encoding {encoding}.",
+        separator="TAB" if table.separator == "\t" else table.separator,
+        encoding=table.encoding.removesuffix("-sig").upper(),
+    )
+
+
 def handed_in_moments(worksheet: Worksheet) -> dict[str, tuple[str, str]]:
     """Return who handed in and when, by Moodle's number: a name and `2026-12-01 18:00`.
 
@@ -149,7 +168,7 @@ def fill_worksheet(
     Args:
         worksheet: as it was exported.
         works: that count.
-        comment: makes the HTML of a comment.
+        comment: makes the HTML of a comment, one paragraph without its tags.
         people: the name of everybody in the register, by id.
 
     Raises:
@@ -176,6 +195,8 @@ def fill_worksheet(
             notes.append(_waiting(work, row))
             continue
         changed[place] = _filled(worksheet, cells, value, comment(work))
+        if _is_from_a_person(worksheet, cells, value):
+            notes.append(_replaced(work, row, cells[grade], value))
         date = worksheet.columns[MoodleColumn.GRADED_AT]
         if changed[place][date].strip() not in _NONE and not _is_readable(changed[place][date]):
             notes.append(_odd_date(work, row, changed[place][date]))
@@ -221,11 +242,19 @@ def _filled(
     filled = list(cells)
     filled[worksheet.columns[MoodleColumn.GRADE]] = grade
     if MoodleColumn.COMMENT in worksheet.columns:
-        filled[worksheet.columns[MoodleColumn.COMMENT]] = comment
+        place = worksheet.columns[MoodleColumn.COMMENT]
+        filled[place] = beside_others(cells[place], comment, grade)
     date = worksheet.columns[MoodleColumn.GRADED_AT]
     if worksheet.language != "en":
         filled[date] = _readable_date(filled[date], worksheet.language)
     return tuple(filled)
+
+
+def _is_from_a_person(worksheet: Worksheet, cells: Sequence[str], grade: str) -> bool:
+    """Tell whether a grade takes the place of one that did not come from here."""
+    before = worksheet.cell(cells, MoodleColumn.GRADE)
+    ours = grade_with(worksheet.cell(cells, MoodleColumn.COMMENT))
+    return bool(before) and is_other_grade(grade, before) and is_other_grade(ours, before)
 
 
 def _without_maximum(worksheet: Worksheet, matching: Matching) -> Iterator[Message]:
@@ -289,6 +318,17 @@ def _waiting(work: GradedWork, row: PlatformRow) -> Message:
         " alone.",
         row=row.line,
         student=work.said,
+    )
+
+
+def _replaced(work: GradedWork, row: PlatformRow, before: str, grade: str) -> Message:
+    return message(
+        "Row {row}: {student} has {before} in Moodle, and that is not from here; it becomes"
+        " {grade}. To keep it, write it into the filled table again.",
+        row=row.line,
+        student=work.said,
+        before=before.strip(),
+        grade=grade,
     )
 
 

@@ -30,6 +30,7 @@ LeftOut: TypeAlias = Callable[[str, list[str]], Iterable[str]]
 """Says which names of a folder are not copied."""
 
 _TABLES: Final = (".csv", ".xlsx", ".ods", ".tsv")
+_OF_TABLES: Final = (f"{VARIANTS}/catalogues", f"{VARIANTS}/tables")
 _COMMENT: Final = re.compile(r"\s*#(en|ru|uk) ")
 _LANGUAGE: Final = 'language = "{}"\n'  # the line that the skeleton has in English
 _IGNORED = """\
@@ -47,7 +48,7 @@ def init_course(
     source: Path | None = None,
     *,
     with_templates: bool = False,
-) -> None:
+) -> tuple[str, ...]:
     """Copy a course into a new folder, with a key of its own; whole or not at all.
 
     Who the students are, what was issued to them and what they got stays where it is. Of the
@@ -61,17 +62,27 @@ def init_course(
         source: the course to copy; None for the reference course.
         with_templates: copy the engine's templates too, for whoever changes the look.
 
+    Returns:
+        Names of what was not copied of the other course, as it belongs to its term or to no course:
+        rosters, deadlines, and what else an instructor keeps beside it.
+
     Raises:
         UsageError: the folder is in use or cannot be written; nothing was changed.
     """
     origin = course_root(source)
-    left_out = (lambda folder, names: _students(origin, folder, names)) if source else None
+    left: list[str] = []
+
+    def others(folder: str, names: list[str]) -> set[str]:
+        found = {name for name in names if not _is_of_a_course(origin, Path(folder) / name)}
+        left.extend(_told(origin, Path(folder) / name) for name in found)
+        return found
 
     def fill(course: Path) -> None:
-        _copy(origin, course, left_out)
+        _copy(origin, course, others if source else None)
         _copy_look(origin, course, whole=with_templates)
 
     _make(target, key, words, fill)
+    return tuple(sorted(left))
 
 
 def empty_course(target: Path, key: bytes, words: Words) -> None:
@@ -147,11 +158,24 @@ def _is_engines(path: Path, name: Path) -> bool:
     return shipped is not None and shipped.read_bytes() == path.read_bytes()
 
 
-def _students(origin: Path, folder: str, names: Iterable[str]) -> set[str]:
-    """Return the tables that lie beside `course.toml`: rosters. A course keeps its own deeper."""
-    if Path(folder) != origin / VARIANTS:
-        return set()
-    return {name for name in names if Path(name).suffix.lower() in _TABLES}
+def _is_of_a_course(origin: Path, path: Path) -> bool:
+    """Tell whether a file, or some file in a folder, is one that a course consists of.
+
+    Everything else may say who the students are: a roster of any kind, a copy of one that an
+    editor left, a table of marks.
+    """
+    if path.is_dir():
+        inside = list(path.iterdir())
+        return not inside or any(_is_of_a_course(origin, one) for one in inside)
+    if path.name.startswith((".", "~")):
+        return False
+    suffix = path.suffix.lower()
+    folder = path.parent.relative_to(origin).as_posix()
+    return suffix == ".toml" or (suffix in _TABLES and folder in _OF_TABLES)
+
+
+def _told(origin: Path, path: Path) -> str:
+    return f"{path.relative_to(origin).as_posix()}{'/' * path.is_dir()}"
 
 
 def _skeleton(course: Path, language: str) -> None:

@@ -13,7 +13,7 @@ from pathlib import Path, PurePath
 from typing import Final
 
 from gripcourse.errors import Problem, UsageError
-from gripcourse.machine.archive import Unusable, is_bundle, members_of
+from gripcourse.machine.archive import Unusable, damaged_zip, is_bundle, members_of
 from gripcourse.machine.content import PackedFile, Readable, pure_path, shown_name
 from gripcourse.machine.shelf import Shelved
 from gripcourse.machine.spreadsheet.by_content import is_workbook
@@ -23,7 +23,8 @@ from gripcourse.usecases.grading.versions import EARLIER
 
 # What people hand in as a workbook: the reader says what is wrong with those that are none.
 WORKBOOKS: Final = frozenset({".xlsx", ".xlsm", ".xls", ".xlsb", ".ods", ".csv", ".numbers"})
-_ARCHIVES: Final = frozenset({".zip", ".rar", ".7z", ".tar", ".gz", ".tgz", ".bz2", ".xz"})
+_ZIP: Final = ".zip"
+_ARCHIVES: Final = frozenset({_ZIP, ".rar", ".7z", ".tar", ".gz", ".tgz", ".bz2", ".xz"})
 _TEXTS: Final = frozenset({".docx", ".doc", ".odt", ".rtf", ".pages", ".txt", ".html", ".htm"})
 _NAMED: Final = 5  # that a refusal of a whole folder names
 
@@ -116,7 +117,8 @@ class Collected:
 def collect(paths: Iterable[Path]) -> Collected:
     """Find the workbooks under files, folders and zips, sorted inside a folder or a zip.
 
-    A file that is named itself is graded whatever it is called, but for a zip.
+    A file that is named itself is graded whatever it is called, but for a zip: one that is neither
+    works nor a workbook is a download that broke off, and nobody's work.
 
     Raises:
         UsageError: for a path that does not exist, a damaged zip, or a batch without any workbook.
@@ -133,6 +135,8 @@ def collect(paths: Iterable[Path]) -> Collected:
                     files[one] = None
                 else:
                     passed_over[one] = PassedOver(shown_name(one), why)
+        elif path.is_file() and path.suffix.lower() == _ZIP and not is_workbook(path):
+            problems.append(damaged_zip(path))
         elif path.is_file():
             files[path] = None
         else:

@@ -3,22 +3,20 @@
 Whatever is written here has names and marks, or solutions: only its owner may read it.
 """
 
-import csv
-import io
 import json
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import Any
 
 from gripcourse.course.load import load_course
 from gripcourse.course.model import Course
 from gripcourse.errors import NextStep, Problem, UsageError
 from gripcourse.exports.analysis_tables import analysis_tables, history_tables
-from gripcourse.exports.csv_text import text_cell
 from gripcourse.exports.platforms.canvas import FilledGradebook, fill_gradebook
-from gripcourse.exports.platforms.comment import comment_html, comment_lines
+from gripcourse.exports.platforms.comment import comment_html
 from gripcourse.exports.platforms.gradescope import gradescope_results
-from gripcourse.exports.platforms.moodle_feedback import feedback_zip, no_report
+from gripcourse.exports.platforms.moodle_feedback import feedback_zip
 from gripcourse.exports.platforms.moodle_worksheet import (
     FilledWorksheet,
     fill_worksheet,
@@ -33,7 +31,7 @@ from gripcourse.gradebook.store import open_gradebook
 from gripcourse.issuing.store import read_register
 from gripcourse.issuing.withdrawal import Join, persons_of
 from gripcourse.machine.database.home import exists
-from gripcourse.machine.files import write_bytes, write_text
+from gripcourse.machine.files import write_bytes, write_text, write_together
 from gripcourse.policy.load import load_policy
 from gripcourse.text.shown import first_of, shown
 from gripcourse.text.words import Message, Words, message
@@ -44,9 +42,6 @@ from gripcourse.variants.model import Student
 from gripcourse.variants.names import find_variant
 from gripcourse.variants.table import read_table
 
-_REPORT = "report.pdf"
-_TEXT = "message.txt"
-_LIST = "outbox.csv"
 _NAMED = 5  # reports
 
 
@@ -111,7 +106,7 @@ def open_results(root: Path, grades: Path) -> Results:
         what = message("This is not what grading wrote: {reason}.", reason=str(fault))
         remedy = message("Name the grades.json of a grading.")
         raise UsageError([Problem(str(grades), "", what, remedy, step=NextStep.GRADE)]) from fault
-    read = GradesResult.from_dict(plain)
+    read = _grades_of(plain, grades)
     course = load_course(root)
     known = read_register(course.root, course.id)
     register = known.by_student()
@@ -130,6 +125,13 @@ def open_results(root: Path, grades: Path) -> Results:
         known.joins,
         outdated,
     )
+
+
+def _grades_of(plain: Mapping[str, Any], file: Path) -> GradesResult:
+    try:
+        return GradesResult.from_dict(plain)
+    except UsageError as fault:
+        raise UsageError([replace(one, file=str(file)) for one in fault.problems]) from fault
 
 
 def _graded_before(grades: GradesResult, persons: Mapping[str, str]) -> Iterator[Message]:
@@ -154,6 +156,7 @@ def moodle_files(
 
     Raises:
         UsageError: the worksheet cannot be used; nothing was written.
+        OSError: one of both cannot be written; what was there before is untouched.
     """
     course, words = results.course, Words(results.course.language)
     filled = fill_worksheet(
@@ -162,11 +165,11 @@ def moodle_files(
         lambda work: comment_html(work, course, results.words_of(work.report.student)),
         results.names,
     )
-    notes: tuple[Message, ...] = ()
+    files, notes = {out: (filled.content,)}, tuple[Message, ...]()
     if feedback is not None:
         packed, notes = feedback_zip(filled, results.report_of, words)
-        write_bytes(feedback, packed, private=True)
-    write_bytes(out, filled.content, private=True)
+        files[feedback] = (packed,)
+    write_together(files)
     return filled, notes
 
 
@@ -206,7 +209,7 @@ def table_files(results: Results, out: Path, gradebook: str) -> tuple[Path, ...]
 
     Raises:
         GradebookError: the gradebook is there and cannot be used.
-        OSError: nothing can be written there.
+        OSError: one of them cannot be written there; what was there before is untouched.
     """
     # Nobody waits for the work of who left; one that was handed in before is told all the same.
     told = {one.student for one in results.grades.reports}
@@ -220,56 +223,10 @@ def table_files(results: Results, out: Path, gradebook: str) -> tuple[Path, ...]
     if out.suffix.lower() == ".xlsx":
         write_bytes(out, workbook(tables), private=True)
         return (out,)
-    written = csv_tables(tables)
-    for name, data in written.items():
-        write_bytes(out / name, data, private=True)
-    return tuple(out / name for name in written)
-
-
-def outbox_folders(results: Results, out: Path) -> tuple[tuple[Path, ...], tuple[Message, ...]]:
-    """Write a folder for each student: a text to send, the report, and a list of addresses.
-
-    Returns:
-        The folders, and notes on works without a report. Nothing is sent.
-    """
-    stream = io.StringIO(newline="")
-    table = csv.writer(stream)
-    table.writerow(("student", "name", "email", "folder"))
-    folders, notes = [], []
-    for work in results.works:
-        folder = out / work.report.student
-        report = results.report_of(work)
-        text = _letter(results, work, has_report=report is not None)
-        write_text(folder / _TEXT, text, private=True)
-        if report is None:
-            # Of an earlier time it would say something else than the text.
-            (folder / _REPORT).unlink(missing_ok=True)
-            notes.append(no_report(work))
-        else:
-            write_bytes(folder / _REPORT, report.read_bytes(), private=True)
-        told = (work.report.student, work.report.name, work.email, folder.name)
-        table.writerow([text_cell(one) for one in told])
-        folders.append(folder)
-    write_bytes(out / _LIST, stream.getvalue().encode("utf-8-sig"), private=True)
-    return tuple(folders), tuple(notes)
-
-
-def _letter(results: Results, work: GradedWork, *, has_report: bool) -> str:
-    """Return the text for a student, in the student's language."""
-    words = results.words_of(work.report.student)
-    course = results.course.title.of(words.language)
-    lines = [
-        words.say(message("To: {address}", address=work.email or "—")),
-        words.say(message("Subject: {course}: your result", course=course)),
-        "",
-        words.say(message("Dear {name},", name=work.report.name)),
-        "",
-        words.say(message("your work was graded (variant {id}):", id=work.report.variant)),
-        *comment_lines(work, results.course, words),
-    ]
-    if has_report:
-        lines += ["", words.say(message("The attached report says what was found, and why."))]
-    return "\n".join(lines) + "\n"
+    written = {out / name: (data,) for name, data in csv_tables(tables).items()}
+    # Of two gradings, tables would tell different things.
+    write_together(written)
+    return tuple(written)
 
 
 def _only_report(results: Results, student: str) -> ReportResult:

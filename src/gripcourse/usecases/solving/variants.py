@@ -79,13 +79,13 @@ def draw_table(  # noqa: PLR0913 (the last two are for those who need them)
     out: Path,
     *,
     freely: bool = False,
-    apart_from: Readable | None = None,
+    apart_from: Sequence[Readable] = (),
 ) -> Drawn:
-    """Draw variants and write them as a table; see `draw_variants`."""
+    """Draw variants and write them as a table, apart from those of others; see `draw_variants`."""
     expect_kind(out)
     expect_file(out)
     expect_room(out, course, _spaces(course, scheme), count, seed)
-    others = () if apart_from is None else read_table(apart_from, course)
+    others = [variant for one in apart_from for variant in read_table(one, course)]
     drawn = draw_variants(course, count, seed, scheme, freely=freely, apart_from=others)
     write_table(out, drawn.variants, course)
     return drawn
