@@ -145,3 +145,19 @@ def test_of_a_power_of_ten_no_input_is_blamed_where_several_would_do(
     found = finding(case, "grip_force", case.reference["grip_force"] / 100)
     assert str(found.slip) == "power_of_ten:0.01"
     assert not found.tied
+
+
+def test_a_single_digit_is_no_rounding_of_what_is_half_as_much(
+    table: tuple["Case", ...], typed: "Typed"
+) -> None:
+    """540 mm are 0.54 m; who types 1 has not written metres."""
+    case, name = next(
+        (one, name)
+        for one in table
+        for name in ("overall_width", "overall_length", "frame_length")
+        if 550 < one.reference.get(name, 0.0) < 900
+    )
+    alone = case.findings({**case.answers, name: typed(name, 1.0, 1)})[name]
+    assert alone.slip is None
+    written = typed(name, case.reference[name] / 1000, 3)
+    assert str(case.findings({**case.answers, name: written})[name].slip) == "unit:m"
