@@ -104,6 +104,18 @@ def test_two_numbers_in_each_others_cells_cost_once(
     assert findings[ends[1]].roots == (ends[0],)
 
 
+def test_two_entries_of_a_table_in_each_others_cells_cost_once(table: "tuple[Case, ...]") -> None:
+    """The bolt circle and the outer diameter of a flange, D_1 and D_2."""
+    cells = ("flange_bolt_circle", "flange_diameter")
+    case = next(one for one in table if set(cells) <= one.answers.keys())
+    one, other = (case.reference[name] for name in cells)
+    answers = {**case.answers, cells[0]: other, cells[1]: one}
+    lost = case.lost(answers)
+    assert len(lost) == 1
+    assert lost < set(cells)
+    assert "exchanged" in str(case.findings(answers)[lost.pop()].message)
+
+
 def test_two_cells_one_below_the_other_cost_once_whatever_their_units(
     hydraulic: "Case", typed: Callable[[str, float, int], Answer]
 ) -> None:

@@ -216,3 +216,24 @@ class TestOneRowForSeveralColumns:
     def test_two_wrong_rows_cost_each_for_itself(self, flat_belt: "Case") -> None:
         read = flat_belt.following(stress_straight=2.7, stress_bending=9.0)
         assert flat_belt.lost(read) == {"stress_straight", "stress_bending"}
+
+
+def test_a_calculator_set_to_radians_costs_once_in_formulas_that_are_not_alike(
+    table: "tuple[Case, ...]",
+) -> None:
+    # Q_O = Q·cos β·cos α, Q_N = Q·cos β·sin α, Q_B = Q·sin β: 30° as 30 radians.
+    names = ("load_axial", "load_normal", "load_binormal")
+    case = next(one for one in table if {"load", *names} <= one.answers.keys())
+    load = case.reference["load"]
+    alpha, beta = (
+        case.reference.get(one, case.given.get(one, 0.0))
+        for one in ("load_angle", "load_elevation")
+    )
+    wrong = (load * cos(beta) * cos(alpha), load * cos(beta) * sin(alpha), load * sin(beta))
+    answers = {**case.answers, **dict(zip(names, wrong, strict=True))}
+    found = case.findings({name: float(f"{value:.6g}") for name, value in answers.items()})
+    assert str(found[names[0]].slip).startswith("angle_unit:")
+    for later in names[1:]:
+        assert found[later].outcome is Outcome.CARRIED
+        assert found[later].roots == (names[0],)
+        assert found[later].points == found[later].max_points

@@ -3,6 +3,7 @@
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from itertools import combinations
+from typing import Final
 
 from gripcourse.course.quantity import Kind
 from gripcourse.grading.comparison import Comparison
@@ -17,6 +18,9 @@ from gripcourse.grading.submission_case import (
 from gripcourse.policy.bands import within
 from gripcourse.submission.model import Answer
 from gripcourse.text.words import message
+
+_COPIED: Final = frozenset({Kind.FORMULA, Kind.PICK})
+"""Kinds of answers whose number is written into the cell beside it."""
 
 
 def exchanged_once(case: GradingCase, judged: Sequence[JudgedAnswer]) -> list[JudgedAnswer]:
@@ -53,7 +57,7 @@ def _pairs(judged: Sequence[JudgedAnswer]) -> Iterator[tuple[JudgedAnswer, Judge
     wrong = [
         (place, one, one.comparison)
         for place, one in enumerate(judged)
-        if one.quantity.kind is Kind.FORMULA
+        if one.quantity.kind in _COPIED
         and one.comparison is not None
         and one.judgement.outcome.traits.mistake
     ]

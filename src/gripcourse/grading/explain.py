@@ -260,8 +260,22 @@ def _named(comparison: Comparison, group: Sequence[Weighed]) -> Explanation:
     first = _what_holds(group, policy)
     if first.candidate.kind == SlipKind.UNIT:
         return Explanation(first, tuple(_through_an_input(comparison, group))[:1])
-    tied = [one for one in group if one is not first and first.weight < policy.tie * one.weight]
+    # One of several inputs that would do says no more of a power of ten than that it is one.
+    any_input = first.candidate.kind == SlipKind.POWER_OF_TEN and len(_inputs_of(group)) > 1
+    tied = [
+        one
+        for one in group
+        if one is not first
+        and first.weight < policy.tie * one.weight
+        and not (any_input and one.candidate.kind == SlipKind.INPUT_UNIT)
+    ]
     return Explanation(first, tuple(tied[:1]) if first is group[0] else ())
+
+
+def _inputs_of(group: Sequence[Weighed]) -> frozenset[str]:
+    """Return the inputs one of which may have been in another unit."""
+    details = (one.candidate.id for one in group if one.candidate.kind == SlipKind.INPUT_UNIT)
+    return frozenset(one.detail.split(",")[0] for one in details)
 
 
 def _through_an_input(comparison: Comparison, group: Sequence[Weighed]) -> Iterator[Weighed]:

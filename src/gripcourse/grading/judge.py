@@ -18,6 +18,7 @@ from gripcourse.grading.exchanged import exchanged_once
 from gripcourse.grading.extended import extended
 from gripcourse.grading.flags import flags_of
 from gripcourse.grading.intended import as_intended
+from gripcourse.grading.made_elsewhere import told_by_others
 from gripcourse.grading.model import Cause, Finding, Outcome, Report, sums_of
 from gripcourse.grading.same_factor import same_factor_once
 from gripcourse.grading.same_number import same_number_once
@@ -62,7 +63,7 @@ def judge(
        constant that was shortened too far, or two numbers in each other's cells, cost once.
     4. settled: what one number used wrongly explains costs once, where it is used first; a number
        that is asked for in several cells costs once too, and so does one wrong method in formulas
-       that are alike, or one factor.
+       that are alike, or one factor; of several with one number, the one made elsewhere is named.
     5. supported: in a work that hardly calculates, what follows needs what it follows from.
     6. findings: conclusions with points, remarks, and the wrong answers at their root.
 
@@ -83,6 +84,7 @@ def judge(
     found = substitutions(case, intended)
     substituted = extended(case, intended, found)
     settled = [_substituted(case, one, by_answer(substituted)) for one in intended]
+    settled = told_by_others(case, settled)
     if is_calculated(case, settled):
         settled = same_slip_once(case, same_number_once(case, settled))
         settled = same_factor_once(case, settled)

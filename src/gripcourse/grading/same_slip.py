@@ -4,12 +4,13 @@ Positions, sides and directions are computed by one formula with other numbers. 
 it, or a sign the wrong way round, is one mistake wherever it is written down. So it is at every
 position of what moves, though one formula has a term more than another. So is the wrong row of a
 table of which several columns are asked for. What one formula declares and the general kinds find
-in another is the same where it computes alike.
+in another is the same where it computes alike. A calculator that takes degrees for radians does so
+in every formula.
 """
 
 from collections import Counter
 from collections.abc import Collection, Iterator, Mapping, Sequence
-from typing import TypeAlias
+from typing import Final, TypeAlias
 
 from gripcourse.course.quantity import Kind
 from gripcourse.formula.tree import Call, form
@@ -21,6 +22,7 @@ from gripcourse.grading.submission_case import (
     in_order_of_steps,
     is_unexplained,
 )
+from gripcourse.policy.slips import SlipKind
 from gripcourse.slips.model import USED, SlipId
 from gripcourse.text.words import message
 
@@ -31,6 +33,9 @@ _Method: TypeAlias = SlipId | tuple[object, ...]
 """What is done wrong: by its name, or by the form of what is computed instead."""
 
 _Mistake: TypeAlias = tuple[_Method, Alike]
+
+_OF_THE_CALCULATOR: Final[_Mistake] = SlipId(SlipKind.ANGLE_UNIT, ""), ("", ())
+"""How a calculator is set is one thing, whatever the formulas are like."""
 
 
 def same_slip_once(case: GradingCase, judged: Sequence[JudgedAnswer]) -> list[JudgedAnswer]:
@@ -105,7 +110,9 @@ def _named(case: GradingCase, judged: JudgedAnswer) -> list[_Mistake]:
     instead = [one for one in case.candidates_of(judged.quantity.id) if one.id in named]
     methods: list[_Method] = [slip, *judged.judgement.tied]
     methods += [form(one.formula.tree) for one in instead]
-    return [(one, alike) for one in methods for alike in likenesses(case, judged)]
+    found = [(one, alike) for one in methods for alike in likenesses(case, judged)]
+    of_setting = any(one.kind == SlipKind.ANGLE_UNIT for one in named)
+    return [*found, _OF_THE_CALCULATOR] if of_setting else found
 
 
 def _once(case: GradingCase, judged: JudgedAnswer, first: Mapping[_Mistake, str]) -> JudgedAnswer:
@@ -125,16 +132,19 @@ def _repeated(
 ) -> list[_Mistake]:
     """Return the slips of a formula that is alike, where they give this answer too.
 
-    Alone it was in doubt: of a small angle nobody can tell radians from its sine.
+    Alone it was in doubt: of a small angle nobody can tell radians from its sine. How a calculator
+    was set speaks for every formula.
     """
     comparison = judged.comparison
     if not first or comparison is None or not is_unexplained(case, judged):
         return []
     alike_ones = set(likenesses(case, judged))
-    made = {method: alike for method, alike in first if alike in alike_ones}
-    if not made:
-        return []
-    met = weigh(
-        comparison, [one for one in case.candidates_of(judged.quantity.id) if one.id in made]
-    )
-    return [(one.candidate.id, made[one.candidate.id]) for one in met]
+    candidates = case.candidates_of(judged.quantity.id)
+    made: dict[_Method, _Mistake] = {}
+    if _OF_THE_CALCULATOR in first:
+        for one in candidates:
+            if one.kind == SlipKind.ANGLE_UNIT:
+                made[one.id] = _OF_THE_CALCULATOR
+    made |= {one[0]: one for one in first if one[1] in alike_ones}
+    met = weigh(comparison, [one for one in candidates if one.id in made])
+    return [made[one.candidate.id] for one in met]

@@ -11,6 +11,8 @@ from gripcourse.grading.comparison import Comparison, ExpectedRange
 
 # The last digits of a number differ by the route: 3.14159 for pi.
 _FINEST: Final = 5e-6
+# Of the value: few digits are no rounding of what lies farther off, 1 is none of 0.54.
+_COARSEST: Final = 0.1
 # Zeros that a cell has lost go on for three more digits at least.
 _SHORTEST: Final = 1e-3
 # A short number in a cell may have lost zeros of three figures, or of as many as the calculator
@@ -45,7 +47,7 @@ def _as_typed(comparison: Comparison, result: ExpectedRange) -> float:
     finest = _FINEST * abs(value)
     figures = comparison.manner.figures
     fine = max(comparison.manner.half_unit(comparison.answer, comparison.policy, figures), finest)
-    coarse = max(comparison.answer.half_unit, finest)
+    coarse = max(min(comparison.answer.half_unit, _COARSEST * abs(value)), finest)
     if coarse <= fine:
         return _density(comparison, result, fine)
     lost, exact = (_LOST_AS_OTHERS, _EXACT_UNLIKE_OTHERS) if figures else (_ZEROS_LOST, _EXACT)

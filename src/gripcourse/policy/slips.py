@@ -23,6 +23,7 @@ class SlipKind(StrEnum):
     INPUT_UNIT = "input_unit"  # an input that was not converted
     RADIUS_FOR_DIAMETER = "radius_for_diameter"
     HALVED_ANGLE = "halved_angle"  # once more than the formula does
+    DOUBLED_ANGLE = "doubled_angle"  # the whole for the half that the formula has
     GRAVITY_LEFT_OUT = "gravity_left_out"
     SAFETY_LEFT_OUT = "safety_left_out"
     FACTOR_LEFT_OUT = "factor_left_out"
@@ -40,6 +41,7 @@ class SlipKind(StrEnum):
     RING_FOR_CIRCLE = "ring_for_circle"
     COUNTED_TWICE = "counted_twice"  # a factor that was counted already
     BRACKETS = "brackets"  # left out when a formula was keyed in
+    UPSIDE_DOWN = "upside_down"  # a ratio the other way round
     RATIO_FOR_ANGLE = "ratio_for_angle"  # the sine for its angle
     ADDED_FOR_MULTIPLIED = "added_for_multiplied"  # or the other way round
 

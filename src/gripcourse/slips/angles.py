@@ -87,13 +87,22 @@ def _with_degrees(around: Surroundings, node: Node) -> Node:
 
 def halved_angle(around: Surroundings) -> Iterator[Rewritten]:
     """Halve an angle once more than the formula does: everywhere, or in one place."""
+    yield from _angle_times(around, 0.5)
+
+
+def doubled_angle(around: Surroundings) -> Iterator[Rewritten]:
+    """Take a whole angle where the formula has its half: everywhere, or in one place."""
+    yield from _angle_times(around, 2.0)
+
+
+def _angle_times(around: Surroundings, ratio: float) -> Iterator[Rewritten]:
     right = around.formula.tree
     for name in around.formula.names:
         quantity = around.named(Name(name))
         if quantity is not None:
-            half, places = scaled(Name(name), 0.5), {"quantity": quantity}
-            yield Rewritten(name, renamed(right, {name: half}), places)
-            for place, tree in somewhere(right, name, half):
+            taken, places = scaled(Name(name), ratio), {"quantity": quantity}
+            yield Rewritten(name, renamed(right, {name: taken}), places)
+            for place, tree in somewhere(right, name, taken):
                 yield Rewritten(f"{name},{place}", tree, places)
 
 

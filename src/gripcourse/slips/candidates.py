@@ -56,7 +56,7 @@ class _Declared:
     Attributes:
         key: which objects these are; they are kept with it, so that no other takes their numbers.
         kinds: of generic slips, in order.
-        quantities, earlier, columns, catalogues: see `generic.Surroundings`.
+        quantities, independent, columns, catalogues: see `generic.Surroundings`.
     """
 
     key: tuple[object, ...]
@@ -65,7 +65,7 @@ class _Declared:
     policy: SlipPolicy = field(compare=False)
     kinds: tuple[GenericSlip, ...] = field(compare=False)
     quantities: Mapping[str, Quantity] = field(compare=False)
-    earlier: frozenset[str] = field(compare=False)
+    independent: frozenset[str] = field(compare=False)
     columns: Mapping[str, Column] = field(compare=False)
     catalogues: Mapping[str, Catalogue] = field(compare=False)
 
@@ -80,7 +80,7 @@ def _declared(plan: Plan, identifier: str, formula: Formula, policy: SlipPolicy)
         for other in (*other_ends(name, slip), *taken_among(name, plan.quantities, slip))
         if other in plan.quantities
     }
-    earlier = _before(plan, identifier, ends)
+    independent = _independent(plan, identifier, ends)
     near = {name: plan.quantities[name] for name in (*formula.names, *sorted(ends))}
     near |= readers_of(formula.tree, plan.quantities)
     near |= _behind(plan, formula, policy)
@@ -89,9 +89,11 @@ def _declared(plan: Plan, identifier: str, formula: Formula, policy: SlipPolicy)
         *(id(one) for one in (quantity, formula, catalogues, *kinds)),
         policy.declared,
         *((name, id(one)) for name, one in near.items()),
-        earlier,
+        independent,
     )
-    return _Declared(key, quantity, formula, policy, kinds, near, earlier, plan.columns, catalogues)
+    return _Declared(
+        key, quantity, formula, policy, kinds, near, independent, plan.columns, catalogues
+    )
 
 
 def _behind(plan: Plan, formula: Formula, policy: SlipPolicy) -> dict[str, Quantity]:
@@ -102,12 +104,15 @@ def _behind(plan: Plan, formula: Formula, policy: SlipPolicy) -> dict[str, Quant
     return {name: one for name, one in found if is_behind(one, policy.kinds)}
 
 
-def _before(plan: Plan, identifier: str, names: Collection[str]) -> frozenset[str]:
-    """Return those of the quantities that are computed before another one."""
+def _independent(plan: Plan, identifier: str, names: Collection[str]) -> frozenset[str]:
+    """Return those of the quantities that are not computed from another one."""
     if not names:
         return frozenset()
-    order = list(plan.quantities)
-    return frozenset(names).intersection(order[: order.index(identifier)])
+    dependent = {identifier}
+    for name in plan.quantities:  # inputs stand before what needs them
+        if not dependent.isdisjoint(plan.inputs[name]):
+            dependent.add(name)
+    return frozenset(names) - dependent
 
 
 @lru_cache(maxsize=_REMEMBERED)
@@ -147,7 +152,7 @@ def _surroundings(declared: _Declared, slip: GenericSlip) -> Surroundings:
         quantity=declared.quantity,
         formula=declared.formula,
         slip=slip,
-        earlier=declared.earlier,
+        independent=declared.independent,
     )
 
 

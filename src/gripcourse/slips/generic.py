@@ -15,6 +15,7 @@ from gripcourse.policy.slips import SlipKind
 from gripcourse.slips.angles import (
     ANGLES,
     angle_unit,
+    doubled_angle,
     halved_angle,
     ratio_for_angle,
     wrong_function,
@@ -188,6 +189,14 @@ def _multiplied_for_divided(around: Surroundings) -> Iterator[Rewritten]:
     yield from _each(around, change)
 
 
+def _upside_down(around: Surroundings) -> Iterator[Rewritten]:
+    """Turn a ratio over as a whole: F over P for P over F."""
+    quantity = around.quantity
+    if around.concerns(quantity.id) and quantity.unit in {"", "%"}:
+        turned = Operation("/", number(1.0), around.formula.tree)
+        yield Rewritten(quantity.id, turned, {"quantity": quantity})
+
+
 def _power(around: Surroundings) -> Iterator[Rewritten]:
     def change(node: Node) -> Iterator[Found]:
         for other, end in _to_another_power(node):
@@ -255,14 +264,14 @@ def _other_ends(around: Surroundings, name: str) -> Iterator[str]:
     """Yield the quantities that are called the same but for the ending."""
     unit = around.quantities[name].unit
     for other in other_ends(name, around.slip):
-        if other in around.earlier and around.quantities[other].unit == unit:
+        if other in around.independent and around.quantities[other].unit == unit:
             yield other
 
 
 def _taken_among(around: Surroundings, name: str) -> Iterator[str]:
     """Yield the quantities of which this one is the greatest or the least."""
     among = taken_among(name, around.quantities, around.slip)
-    yield from (one for one in among if one in around.earlier)
+    yield from (one for one in among if one in around.independent)
 
 
 def _minimum_for_maximum(around: Surroundings) -> Iterator[Rewritten]:
@@ -298,6 +307,7 @@ GENERATORS: Final[Mapping[SlipKind, Generator]] = MappingProxyType(
         SlipKind.ANGLE_UNIT: angle_unit,
         SlipKind.RADIUS_FOR_DIAMETER: _radius_for_diameter,
         SlipKind.HALVED_ANGLE: halved_angle,
+        SlipKind.DOUBLED_ANGLE: doubled_angle,
         SlipKind.GRAVITY_LEFT_OUT: _quantity_left_out,
         SlipKind.SAFETY_LEFT_OUT: _quantity_left_out,
         SlipKind.FACTOR_LEFT_OUT: _factor_left_out,
@@ -315,6 +325,7 @@ GENERATORS: Final[Mapping[SlipKind, Generator]] = MappingProxyType(
         SlipKind.RING_FOR_CIRCLE: ring_for_circle,
         SlipKind.COUNTED_TWICE: counted_twice,
         SlipKind.BRACKETS: brackets_left_out,
+        SlipKind.UPSIDE_DOWN: _upside_down,
         SlipKind.RATIO_FOR_ANGLE: ratio_for_angle,
         SlipKind.ADDED_FOR_MULTIPLIED: added_for_multiplied,
     }

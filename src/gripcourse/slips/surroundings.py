@@ -26,7 +26,8 @@ class Surroundings:
         quantities: what the formula names, what has the same name but for its end, and what reads
             the same column of a catalogue; by id.
         columns, catalogues: of the course.
-        earlier: ids of the quantities that are known before this one.
+        independent: ids of the quantities that are not computed from this one, as far as any of
+            them may be taken for another.
     """
 
     quantities: Mapping[str, Quantity]
@@ -35,14 +36,17 @@ class Surroundings:
     quantity: Quantity
     formula: Formula
     slip: GenericSlip
-    earlier: frozenset[str]
+    independent: frozenset[str]
 
     def named(self, node: Node) -> Quantity | None:
         """Return the quantity that a node names, if it is one that this kind concerns."""
         if not isinstance(node, Name) or node.id not in self.quantities:
             return None
-        concerned = not self.slip.names or any(fnmatchcase(node.id, p) for p in self.slip.names)
-        return self.quantities[node.id] if concerned else None
+        return self.quantities[node.id] if self.concerns(node.id) else None
+
+    def concerns(self, name: str) -> bool:
+        """Tell whether this kind concerns the quantity of an id."""
+        return not self.slip.names or any(fnmatchcase(name, p) for p in self.slip.names)
 
     def dimensionless(self, node: Node) -> Quantity | None:
         """Return the plain number that a node names: a factor such as an efficiency."""
