@@ -14,7 +14,7 @@ from gripcourse.text.words import message
 from gripcourse.variants.cases import Cases
 from gripcourse.variants.draw import draw, nothing_left
 from gripcourse.variants.explain import why_infeasible
-from gripcourse.variants.search import Batch, Sifted
+from gripcourse.variants.search import TOO_NEAR, Batch, Search, Sifted
 from gripcourse.variants.space import load_spaces
 from gripcourse.variants.tally import Refusal
 
@@ -93,6 +93,39 @@ def test_a_space_with_a_single_variant_cannot_give_two(small_course: Course) -> 
     assert len(draw(small_course, [narrow], 1, 7).variants) == 1
     with pytest.raises(TableError, match="the same numbers as another variant"):
         draw(small_course, [narrow], 2, 7)
+
+
+def test_where_variants_leave_no_room_for_another_that_is_the_reason(small_course: Course) -> None:
+    """Thousands may be refused for what they are: what stops a drawing is that it is full."""
+    taken: list[int] = []
+
+    def crowded(batch: Batch) -> Sifted:
+        keep = np.zeros(len(batch.cases), dtype=np.bool_)
+        for place in range(len(keep)):
+            if len(taken) < 3 and batch.wanted[int(batch.cases[place])]:
+                keep[place] = True
+                taken.append(place)
+        heavy = Refusal(message("too heavy"), 9 * len(keep))
+        return Sifted(keep, (heavy, Refusal(TOO_NEAR, int((~keep).sum()))))
+
+    with pytest.raises(TableError, match="8 variants are wanted, and after 3 there is no room"):
+        draw(small_course, load_spaces(small_course), 8, 7, crowded)
+
+
+def test_the_combinations_that_were_found_with_least_effort_come_first(
+    small_course: Course,
+) -> None:
+    (space,) = load_spaces(small_course)
+
+    def seldom(batch: Batch) -> Sifted:
+        place = np.arange(len(batch.cases))
+        keep = (batch.cases == 1) | (place % 40 == 0)
+        return Sifted(keep, ())
+
+    search = Search(small_course, space, seldom, np.random.default_rng(1))
+    assert search.easiest() == []
+    search.find({0: 30, 1: 30})
+    assert search.easiest() == [1, 0]
 
 
 def test_a_further_filter_sees_feasible_candidates_in_order(small_course: Course) -> None:

@@ -15,7 +15,7 @@ from gripcourse.text.words import message
 from gripcourse.variants.counts import counts_of
 from gripcourse.variants.explain import list_text
 from gripcourse.variants.model import Variant
-from gripcourse.variants.search import Filter, Search
+from gripcourse.variants.search import TOO_NEAR, Filter, Search
 from gripcourse.variants.space import Space
 from gripcourse.variants.tally import Tally, by_count
 
@@ -173,14 +173,45 @@ def _make_up(
         TableError: the others have no room either.
     """
     for case, missing in lacking.items():
-        others = [one for one in range(len(space.cases)) if one != case]
         still = missing
-        for other in rng.permutation(others)[:_STAND_INS] if rng is not None else ():
-            still = sum(search.find({int(other): still}, _FEW_TRIED).values())
+        for other in () if rng is None else _stand_ins(search, len(space.cases), case, rng):
+            still = sum(search.find({other: still}, _FEW_TRIED).values())
             if not still:
                 break
         if still:
+            alike = _alike(search)
+            if alike:
+                raise _no_room(space, search, alike, sum(wanted.values()))
             raise _too_few(space, search, case, wanted[case])
+
+
+def _stand_ins(search: Search, cases: int, case: int, rng: np.random.Generator) -> Iterator[int]:
+    """Yield combinations that may stand in for one: some by chance, then those easily found."""
+    others = [one for one in range(cases) if one != case]
+    yield from map(int, rng.permutation(others)[:_STAND_INS])
+    yield from [one for one in search.easiest() if one != case][:_STAND_INS]
+
+
+def _alike(search: Search) -> int:
+    """Return how many candidates nothing but a variant that was drawn before spoke against."""
+    return sum(one.count for one in search.set_aside if one.what == TOO_NEAR)
+
+
+def _no_room(space: Space, search: Search, alike: int, wanted: int) -> TableError:
+    found = sum(map(len, search.rows))
+    return TableError([Problem(
+        space.file,
+        "",
+        message(
+            "Of '{scheme}' {wanted} variants are wanted, and after {found} there is no room for"
+            " another: {alike} more were good in themselves, and each too near to one of these.",
+            scheme=space.scheme, wanted=wanted, found=found, alike=alike,
+        ),
+        message(
+            "Draw fewer of one scheme, let them share more in the policy (shared_points,"
+            " shared_section_points), or draw with --freely."
+        ),
+    )])  # fmt: skip
 
 
 def _too_few(space: Space, search: Search, case: int, wanted: int) -> TableError:

@@ -16,7 +16,7 @@ from gripcourse.variants.balance import Balance, Outcomes, choose, outcomes_of
 from gripcourse.variants.fair import near_steps
 from gripcourse.variants.feasible import Mask
 from gripcourse.variants.overlaps import Overlap, OverlapCheck, overlap_in_short, overlaps_of
-from gripcourse.variants.search import Batch, Filter, Sifted
+from gripcourse.variants.search import TOO_NEAR, Batch, Filter, Sifted
 from gripcourse.variants.slip_distance import too_near
 from gripcourse.variants.tally import Refusal, summed
 
@@ -89,7 +89,7 @@ def sifter(
                 alike += int(place not in refused and not keep)
                 waiting.decide(place, keep=keep)
         refusals = (
-            Refusal(message("too near to another variant"), alike),
+            Refusal(TOO_NEAR, alike),
             *_of_slips(group, slips),
             *_of_edges(group, edges),
             *(Refusal(overlap_in_short(one), 1) for one in overlaps),

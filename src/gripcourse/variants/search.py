@@ -3,7 +3,7 @@
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import compress
-from typing import TYPE_CHECKING, TypeAlias
+from typing import TYPE_CHECKING, Final, TypeAlias
 
 import numpy as np
 
@@ -25,6 +25,7 @@ if TYPE_CHECKING:
 
 
 CHUNK = 1 << 14  # candidates in one evaluation: the fastest size for numpy
+TOO_NEAR: Final = message("too near to another variant")
 MOST_TRIED = 1 << 18  # candidates of one combination before giving up
 _FEWEST, _FIRST_ROUND = 32, 256  # candidates of one combination; powers of two, as Sobol wants
 _WIDE_CHOICE = 2048  # the same where some are preferred to others
@@ -157,6 +158,11 @@ class Search:
     def refusals(self, case: int | None = None) -> tuple[Refusal, ...]:
         """Return why candidates were refused, of one combination or of all."""
         return self._reasons.of(case)
+
+    def easiest(self) -> list[int]:
+        """Return the combinations of which anything was found, by the candidates that it took."""
+        found = [case for case, rows in enumerate(self.rows) if rows]
+        return sorted(found, key=lambda case: self.tried[case] / len(self.rows[case]))
 
     def _lacking(self, goal: Mapping[int, int]) -> dict[int, int]:
         short = {case: count - len(self.rows[case]) for case, count in goal.items()}

@@ -1,6 +1,7 @@
 """Our comment among what people wrote: found again by a mark, and all else stays as it stands.
 
-The mark also says which grade we gave with it: another one in the worksheet is a person's.
+The mark also says which grade we gave with it: another one in the worksheet is a person's. A site
+that keeps classes alone leaves the mark without the grade.
 """
 
 import re
@@ -8,7 +9,7 @@ from html import escape, unescape
 from typing import Final
 
 _OURS: Final = re.compile(
-    r'<p class="gripcourse" data-grade="(?P<grade>[^"]*)">.*?</p>', re.DOTALL | re.IGNORECASE
+    r'<p class="gripcourse"(?: data-grade="(?P<grade>[^"]*)")?>.*?</p>', re.DOTALL | re.IGNORECASE
 )
 
 
@@ -29,4 +30,4 @@ def beside_others(stands: str, comment: str, grade: str) -> str:
 def grade_with(stands: str) -> str:
     """Return the grade that we gave with our comment in a cell; empty where it has none."""
     found = _OURS.search(stands)
-    return unescape(found["grade"]) if found else ""
+    return unescape(found["grade"] or "") if found else ""
