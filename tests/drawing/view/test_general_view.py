@@ -1,5 +1,6 @@
 """What a general view says, in which language, and the file that it is."""
 
+import math
 import re
 import xml.etree.ElementTree as ET
 from collections.abc import Callable
@@ -15,7 +16,7 @@ from gripcourse.course.quantity import Kind
 from gripcourse.drawing.paper.document import dxf_bytes
 from gripcourse.drawing.paper.svg import svg_text
 from gripcourse.drawing.paper.title_block import TitleBlock
-from gripcourse.drawing.view.general_view import general_view
+from gripcourse.drawing.view.general_view import general_view, sheet_svg
 from gripcourse.text.words import Words
 from support.drawn_texts import parsed, written
 from support.each import each
@@ -87,6 +88,24 @@ def test_a_drawing_is_the_same_each_time(draw: "Draw") -> None:
         for _ in range(2)
     ]
     assert twice[0] == twice[1]
+
+
+@pytest.mark.parametrize("places", [-3, 2])
+@pytest.mark.parametrize("identifier", ["009", "045", "051"])
+def test_a_last_digit_that_processors_round_otherwise_changes_no_byte(
+    draw: "Draw", identifier: str, places: int
+) -> None:
+    drawn = draw(identifier)
+    view = drawn.plan.scheme.view
+    assert view is not None
+    block = TitleBlock(identifier, "gripper", "General arrangement", "Somebody")
+    moved = {name: one + places * math.ulp(one) for name, one in drawn.values.items()}
+    some, others = (
+        general_view(drawn.plan, view, values, block, Words("ru"))
+        for values in (drawn.values, moved)
+    )
+    assert dxf_bytes(some.document) == dxf_bytes(others.document)
+    assert sheet_svg(some, block) == sheet_svg(others, block)
 
 
 def test_every_characteristic_that_a_view_names_is_printed(draw: "Draw") -> None:
