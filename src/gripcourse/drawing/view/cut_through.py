@@ -95,7 +95,7 @@ def _slices(part: ViewPart, view: View, scene: Scene, at: Point, reach: float) -
             yield _Slice(part.piece_of or part.id, region, is_pin, is_whole)
 
 
-def _box(bounds: Sequence[float]) -> Box:
+def _box(bounds: Iterable[float]) -> Box:
     left, bottom, right, top = map(float, bounds)
     return Box(*settled_point((left, bottom)), *settled_point((right, top)))
 
