@@ -5,9 +5,19 @@ from dataclasses import replace
 import numpy as np
 
 from gripcourse.course.model import Course
-from gripcourse.documents.appendix import Appendix, AppendixTable, appendix_of
+from gripcourse.documents.appendix import (
+    Appendix,
+    AppendixFormula,
+    AppendixTable,
+    QuotedWork,
+    appendix_of,
+)
+from gripcourse.documents.assignment_sheet import STYLES
+from gripcourse.documents.pdf import template_environment
+from gripcourse.formula import typeset
 from gripcourse.solver.plan import Plan, make_plan
 from gripcourse.text.words import Words
+from support.laid_out import TEMPLATES, boxes, pages_of
 
 PAGE = 125  # characters of the print of a table that a page has room for
 
@@ -64,3 +74,39 @@ def test_a_table_that_is_wider_than_the_page_goes_on_below(course: Course) -> No
     assert len(wide.strips) > 1
     for strip in wide.strips:
         assert sum(1 + max(map(len, row)) for row in strip) <= PAGE
+
+
+def test_many_formulas_go_round_the_only_small_table(course: Course) -> None:
+    """Under it they would leave most of its lines empty; the tables after them have the width."""
+    example = course.schemes["prism_lever"].example
+    assert example is not None
+    appendix = appendix_of(make_plan(course, "prism_lever", example.options), Words("ru"))
+    (small,) = (one for one in appendix.tables if not one.wide)
+    assert (appendix.around, appendix.beside) == (small.number, 0)
+    macro = template_environment(TEMPLATES, "ru").get_template("parts/appendix.html.j2").module
+    printed = f'<main class="appendix">{macro.printed(appendix)}</main>'  # type: ignore[attr-defined]
+    (page,) = pages_of(printed, STYLES)
+    tables = [one for one in boxes(page, "div") if "tabled" in one.element.get("class", "")]
+    at = appendix.tables.index(small)
+    formulas = [one for one in boxes(page, "span") if "quoted" in one.element.get("class", "")]
+    assert formulas[0].position_y < tables[at].position_y + tables[at].height
+    assert formulas[0].position_x > tables[at].position_x + tables[at].width
+    assert len({one.position_x for one in tables}) == 1
+    bottom = max(one.position_y + one.height for one in formulas)
+    assert all(one.position_y >= bottom for one in tables[at + 1 :])
+
+
+def test_few_formulas_stand_beside_a_small_table_and_many_follow_several(plan: Plan) -> None:
+    appendix = appendix_of(plan, Words("en"))
+    small = replace(appendix.series[0], number=1, wide=False)
+    formula = AppendixFormula(typeset.symbol_box("x"), ())
+    two, three = (QuotedWork(1, "work", (formula,) * count) for count in (2, 3))
+    both = (small, replace(small, number=2))
+    found = [
+        replace(appendix, tables=tables, works=(works,))
+        for works in (two, three)
+        for tables in ((), (small,), both)
+    ]
+    assert [(one.beside, one.around) for one in found] == [
+        (0, 0), (1, 0), (2, 0), (0, 0), (0, 1), (0, 0),
+    ]  # fmt: skip

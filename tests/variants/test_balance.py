@@ -60,3 +60,12 @@ def test_each_combination_gets_its_own_candidates_as_far_as_there_are_any() -> N
     chosen = choose(outcomes_of(marks, (False,), (1.0,)), np.zeros(1), waiting, {3: 4, 5: 2})
     assert sorted(set(chosen) & {0, 1}) == [0, 1]
     assert sorted(set(chosen) & {2, 3, 4}) == [3, 4]
+
+
+def test_of_equally_good_candidates_the_first_is_taken_however_sums_are_rounded() -> None:
+    marks = np.array([[1.0, 1.0, 0.0], [0.0, 0.0, 1.0]])
+    weights = (0.1, 0.2, 0.3)
+    assert weights[0] + weights[1] > weights[2]  # by the last place
+    for some in (marks, marks[:, ::-1]):
+        outcomes = outcomes_of(some, (False,) * 3, weights if some is marks else weights[::-1])
+        assert choose(outcomes, np.zeros(3), {0: range(2)}, {0: 1}) == [0]

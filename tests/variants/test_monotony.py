@@ -80,6 +80,18 @@ def test_an_end_of_the_range_that_always_governs_is_named(
     assert (force in found.same_ends) == (force.same > found.rules.same_end)
 
 
+@pytest.mark.parametrize("places", [-4, 0, 4])
+def test_ends_that_differ_in_the_last_places_are_alike(
+    course: Course, some: tuple[Variant, ...], places: int
+) -> None:
+    (group,) = (one for one in solve_groups(course, some) if one.family.scheme == "slot_lever")
+    largest = group.values["force_ratio_at_max"]
+    moved = largest + places * np.spacing(largest)
+    group = replace(group, values={**group.values, "force_ratio_at_min": moved})
+    (force,) = (one for one in taken_of(group) if one.member.quantity.id == "force_ratio")
+    assert set(force.share) == {0.5}
+
+
 def test_the_reason_of_a_quantity_stands_with_each_pair_that_its_formula_compares(
     course: Course, some: tuple[Variant, ...]
 ) -> None:

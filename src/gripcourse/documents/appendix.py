@@ -100,9 +100,20 @@ class Appendix:
     @property
     def beside(self) -> int:
         """The number of the small table that few formulas stand beside; 0 where they follow."""
-        small = [one.number for one in self.tables if not one.wide]
-        quoted = sum(len(one.formulas) for one in self.works)
-        return small[-1] if small and 0 < quoted <= _BESIDE else 0
+        return self._small[-1] if self._small and 0 < self._quoted <= _BESIDE else 0
+
+    @property
+    def around(self) -> int:
+        """The number of the only small table, which many formulas go round; 0 where they follow."""
+        return self._small[0] if len(self._small) == 1 and self._quoted > _BESIDE else 0
+
+    @property
+    def _small(self) -> list[int]:
+        return [one.number for one in self.tables if not one.wide]
+
+    @property
+    def _quoted(self) -> int:
+        return sum(len(one.formulas) for one in self.works)
 
 
 def appendix_of(plan: Plan, words: Words) -> Appendix:

@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Sequence
+from typing import Final
 
 from gripcourse.documents.report.standing import earned_percent_of, percent_of, standing_of
 from gripcourse.exports.files import FileAccount, graded_account, reason_of
@@ -18,6 +19,8 @@ from gripcourse.grading.model import Finding, Flag, FlagCode, Report
 from gripcourse.policy.scales import Scale, certain_grade
 from gripcourse.text.words import LANGUAGES, Message, Words
 from gripcourse.variants.model import Student
+
+_FIGURES: Final = 12  # of a computed number
 
 
 def grades_result(
@@ -109,6 +112,12 @@ def _points(value: float) -> float:
     return round(value, 6)  # what adding up in another order changes is not said
 
 
+def _computed(value: float | None) -> float | None:
+    """Return a number without the last digits, which processors compute differently."""
+    known = finite(value)
+    return None if known is None else float(f"{known:.{_FIGURES}g}")
+
+
 def finite(value: float | None) -> float | None:
     """Return a number that JSON can hold, None for none."""
     return value if value is not None and math.isfinite(value) else None
@@ -130,9 +139,9 @@ def finding_result(finding: Finding, words: Words) -> FindingResult:
         given=finite(finding.given),
         typed=finding.typed,
         cell=finding.cell,
-        reference=finite(finding.reference),
-        expected=finite(finding.expected),
-        band=finite(finding.band),
+        reference=_computed(finding.reference),
+        expected=_computed(finding.expected),
+        band=_computed(finding.band),
         points=_points(finding.points),
         max_points=_points(finding.max_points),
         slip="" if finding.slip is None else str(finding.slip),

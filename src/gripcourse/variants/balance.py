@@ -21,7 +21,7 @@ _VERDICT_WEIGHT: Final = 3.0  # it has points of its own that a guess must not e
 _END_WEIGHT: Final = 1.0  # of an end of a range
 _SIZE_WEIGHT: Final = 0.5  # of a size that more than half of the variants have
 _LEAST_SHARE: Final = 0.1  # of the candidates that have what is balanced; fewer count as so many
-_DIGITS: Final = 9  # of a size in SI units, by which the same sizes are known
+_DIGITS: Final = 9  # of what is compared: sizes in SI units, and how uneven a choice leaves things
 
 Name: TypeAlias = tuple[str, ...]
 
@@ -145,7 +145,8 @@ def choose(
                 free[chosen[number]] = True
             open_ = pool[free[pool]]
             left = np.maximum(now + marks[open_], least)
-            best = open_[np.argmin(left**2 @ outcomes.weights)]
+            # Of candidates that are equally good the first is taken, however sums are rounded.
+            best = open_[np.argmin(np.round(left**2 @ outcomes.weights, _DIGITS))]
             chosen[number], free[best] = best, False
             now += marks[best]
         if (chosen == before).all():

@@ -11,6 +11,7 @@ import numpy as np
 
 from gripcourse.course.quantity import Kind
 from gripcourse.formula.evaluate import evaluate as evaluate_formula
+from gripcourse.formula.functions import SLACK
 from gripcourse.formula.tree import Formula, choices_of_two, names
 from gripcourse.solver.family import Member
 from gripcourse.solver.solve import from_si
@@ -165,13 +166,19 @@ def taken_of(group: Group) -> Iterator[Taken]:
                 for one in call.arguments
             )
             sides = [set(names(one)) for one in call.arguments]
-            sign = np.sign(first - second) * (1 if call.function == "max" else -1)
+            sign = _sign(first, second) * (1 if call.function == "max" else -1)
             yield Taken(
                 member,
                 ", ".join(sorted(sides[0] - sides[1])),
                 ", ".join(sorted(sides[1] - sides[0])),
                 np.ravel((1 + sign) / 2),
             )
+
+
+def _sign(first: Array, second: Array) -> Array:
+    """Return the sign of a difference, 0 where two numbers are the same that came by two routes."""
+    alike = np.abs(first - second) <= SLACK * np.maximum(np.abs(first), np.abs(second))
+    return np.where(alike, 0.0, np.sign(first - second))
 
 
 def _ends(group: Group) -> Iterator[EndShare]:

@@ -1,3 +1,4 @@
+import math
 import os
 import subprocess
 import sys
@@ -160,6 +161,13 @@ def test_hatch_lines_stay_inside_and_leave_holes_free() -> None:
         (pytest.approx((6, 5)), pytest.approx((10, 5))),
     ]
     assert list(hatch_lines([], 45, 2)) == []
+
+
+def test_a_last_digit_that_processors_round_otherwise_moves_no_hatch_line() -> None:
+    lozenge = [(10.0, 0.0), (20.0, 10.0), (10.0, 20.0), (0.0, 10.0)]  # its edges along the lines
+    moved = [(x + 1e-12, y - 1e-12) for x, y in lozenge]
+    spacing = math.sqrt(2) * 2.5
+    assert list(hatch_lines([moved], 45, spacing)) == list(hatch_lines([lozenge], 45, spacing))
 
 
 def test_the_same_drawing_is_the_same_bytes_in_every_process() -> None:

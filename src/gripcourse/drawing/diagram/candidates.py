@@ -7,7 +7,8 @@ import numpy as np
 import shapely
 from numpy.typing import NDArray
 
-from gripcourse.drawing.diagram.marks import DIGITS, Letter
+from gripcourse.drawing.diagram.marks import Letter
+from gripcourse.drawing.paper.strokes import DIGITS
 
 _DISTANCES: Final = np.array((0.9, 1.6, 2.3, 3.0, 4.5, 6.5, 9.0, 12.0, 16.0))
 _BARE: Final = 3.0  # mm from what it names that a symbol stands without a leader, at most

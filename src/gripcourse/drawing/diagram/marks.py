@@ -12,6 +12,7 @@ import shapely
 from shapely.geometry.base import BaseGeometry
 
 from gripcourse.drawing.paper.document import LineKind
+from gripcourse.drawing.paper.strokes import DIGITS, settled_point
 from gripcourse.drawing.paper.text import Point
 
 Chain: TypeAlias = tuple[Point, ...]
@@ -21,7 +22,6 @@ HEAD = (3.0, 0.55)  # length and half width of the arrow of a dimension
 _STEP = math.pi / 24  # of an arc that is taken for a chain of chords
 _NEAR = 1e-9
 _QUARTER = 32  # chords of a quarter of a ring
-DIGITS = 6  # of millimetres: what comes behind them hangs on the processor
 _TURN_DIGITS = 12  # of angles
 
 
@@ -219,7 +219,7 @@ def settled(mark: Mark) -> Mark:
 
 
 def _settled(points: Chain) -> Chain:
-    return tuple((round(x, DIGITS), round(y, DIGITS)) for x, y in points)
+    return tuple(map(settled_point, points))
 
 
 def moved(points: Chain, x: float, y: float) -> Chain:

@@ -3,6 +3,7 @@
 import math
 from collections.abc import Iterator, Sequence
 
+from gripcourse.drawing.paper.strokes import settled_point
 from gripcourse.drawing.paper.text import Point
 
 Segment = tuple[Point, Point]
@@ -19,7 +20,10 @@ def hatch_lines(
         spacing: distance of neighbouring lines; one of them runs through the origin.
     """
     cosine, sine = math.cos(math.radians(angle)), math.sin(math.radians(angle))
-    turned = [[(x * cosine + y * sine, y * cosine - x * sine) for x, y in ring] for ring in rings]
+    turned = [
+        [settled_point((x * cosine + y * sine, y * cosine - x * sine)) for x, y in ring]
+        for ring in rings
+    ]
     heights = [across for ring in turned for _, across in ring]
     if not heights:
         return
@@ -28,8 +32,8 @@ def hatch_lines(
         crossings = sorted(_crossings(turned, across))
         for low, high in zip(crossings[::2], crossings[1::2], strict=False):
             yield (
-                (low * cosine - across * sine, low * sine + across * cosine),
-                (high * cosine - across * sine, high * sine + across * cosine),
+                settled_point((low * cosine - across * sine, low * sine + across * cosine)),
+                settled_point((high * cosine - across * sine, high * sine + across * cosine)),
             )
 
 

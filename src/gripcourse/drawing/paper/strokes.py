@@ -1,6 +1,7 @@
 """Straight lines and arcs in a plane: moved, hidden behind a polygon, measured.
 
-Lengths are millimetres, angles degrees counter-clockwise from x.
+Lengths are millimetres, angles degrees counter-clockwise from x. A point that a sine or the like
+has a part in is settled: else a file would end in other digits on another processor.
 """
 
 import math
@@ -10,6 +11,8 @@ from itertools import pairwise
 
 from gripcourse.drawing.paper.text import Point
 
+DIGITS = 6  # of millimetres: what comes behind them hangs on the processor
+_DEGREE_DIGITS = 9
 _FULL_TURN = 360.0
 _QUARTER = 90.0
 _STEPS = 48  # chords of a full circle in an outline that hides
@@ -98,6 +101,28 @@ class Box:
         )
 
 
+def settled_point(point: Point) -> Point:
+    """Return the point without the last digits, which processors compute differently."""
+    return round(point[0], DIGITS), round(point[1], DIGITS)
+
+
+def settled_angle(angle: float) -> float:
+    """Return the angle without the last digits."""
+    return round(angle, _DEGREE_DIGITS)
+
+
+def settled(stroke: Stroke) -> Stroke:
+    """Return the stroke without the last digits."""
+    if isinstance(stroke, Line):
+        return Line(settled_point(stroke.start), settled_point(stroke.end))
+    return Arc(
+        settled_point(stroke.centre),
+        round(stroke.radius, DIGITS),
+        settled_angle(stroke.low),
+        settled_angle(stroke.high),
+    )
+
+
 def box_of(points: Iterable[Point]) -> Box:
     """Return the smallest box round points."""
     found = list(points)
@@ -117,7 +142,9 @@ def reach_of(stroke: Stroke) -> Box:
 def on_circle(centre: Point, radius: float, angle: float) -> Point:
     """Return the point of a circle in a direction."""
     turned = math.radians(angle)
-    return centre[0] + radius * math.cos(turned), centre[1] + radius * math.sin(turned)
+    return settled_point(
+        (centre[0] + radius * math.cos(turned), centre[1] + radius * math.sin(turned))
+    )
 
 
 def points_of(stroke: Stroke) -> list[Point]:
@@ -126,7 +153,7 @@ def points_of(stroke: Stroke) -> list[Point]:
         return [stroke.start, stroke.end]
     turn = stroke.high - stroke.low
     steps = max(2, math.ceil(_STEPS * turn / _FULL_TURN))
-    angles = {stroke.low + turn * step / steps for step in range(steps + 1)}
+    angles = {settled_angle(stroke.low + turn * step / steps) for step in range(steps + 1)}
     first = math.ceil(stroke.low / _QUARTER)
     angles |= {_QUARTER * k for k in range(first, math.floor(stroke.high / _QUARTER) + 1)}
     return [on_circle(stroke.centre, stroke.radius, angle) for angle in sorted(angles)]
@@ -267,5 +294,5 @@ def _arc_cut(arc: Arc, first: Point, second: Point) -> Iterator[float]:
     for root in (math.sqrt(rest), -math.sqrt(rest)):
         share = (root - mixed) / square
         if -_NOTHING <= share <= 1 + _NOTHING:
-            angle = math.degrees(math.atan2(wy + vy * share, wx + vx * share))
+            angle = settled_angle(math.degrees(math.atan2(wy + vy * share, wx + vx * share)))
             yield ((angle - arc.low) % _FULL_TURN) / (arc.high - arc.low)

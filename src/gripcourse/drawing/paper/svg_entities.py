@@ -19,6 +19,7 @@ from ezdxf.entities.text import Text
 from ezdxf.path import from_hatch, make_path
 
 from gripcourse.drawing.paper.hatch import hatch_lines
+from gripcourse.drawing.paper.strokes import on_circle
 from gripcourse.drawing.paper.svg_number import number
 from gripcourse.drawing.paper.text import CAP_HEIGHT, Point, read_text
 from gripcourse.text.shown import shown
@@ -118,10 +119,7 @@ def _circle(centre: Point, radius: float, height: float) -> str:
 def _arc(arc: Arc, height: float) -> str:
     centre, radius = arc.dxf.center, arc.dxf.radius
     ends = [
-        (
-            centre.x + radius * math.cos(math.radians(angle)),
-            centre.y + radius * math.sin(math.radians(angle)),
-        )
+        on_circle((centre.x, centre.y), radius, angle)
         for angle in (arc.dxf.start_angle, arc.dxf.end_angle)
     ]
     wide = (arc.dxf.end_angle - arc.dxf.start_angle) % _FULL_TURN > _HALF_TURN

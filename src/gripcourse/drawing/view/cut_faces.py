@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import shapely
 
 from gripcourse.course.view import Face
-from gripcourse.drawing.paper.strokes import box_of
+from gripcourse.drawing.paper.strokes import box_of, settled_point
 from gripcourse.drawing.paper.text import Point
 from gripcourse.drawing.view.placed_shapes import Shown
 
@@ -50,4 +50,4 @@ def cut_of(piece: shapely.Polygon, hatch: str) -> Cut:
 
 def corners_of(ring: shapely.Geometry) -> list[Point]:
     """Return the corners of a ring, each once."""
-    return [(float(x), float(y)) for x, y in shapely.get_coordinates(ring)[:-1]]
+    return [settled_point((float(x), float(y))) for x, y in shapely.get_coordinates(ring)[:-1]]

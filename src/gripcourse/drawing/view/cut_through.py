@@ -15,7 +15,7 @@ import shapely.affinity
 
 from gripcourse.course.view import HATCHES, View, ViewPart
 from gripcourse.drawing.paper.document import LineKind
-from gripcourse.drawing.paper.strokes import Box, Line, Stroke, points_of
+from gripcourse.drawing.paper.strokes import Box, Line, Stroke, points_of, settled_point
 from gripcourse.drawing.paper.text import Point
 from gripcourse.drawing.view.bodies import Piece, Scene, pieces_of
 from gripcourse.drawing.view.contents import Seen
@@ -72,7 +72,7 @@ def cut_through(view: View, scene: Scene, at: Point, reach: float) -> CutThrough
     if seen:
         seen += [Seen(one, LineKind.CENTRE) for one in _axes(polygons, reach, has_pin=bool(pins))]
     cuts = [cut_of(piece, hatches[one.part]) for one, piece in polygons if not one.is_whole]
-    return CutThrough(seen, cuts, Box(*map(float, pins[0])) if pins else None)
+    return CutThrough(seen, cuts, _box(pins[0]) if pins else None)
 
 
 def _slices(part: ViewPart, view: View, scene: Scene, at: Point, reach: float) -> Iterator[_Slice]:
@@ -95,14 +95,19 @@ def _slices(part: ViewPart, view: View, scene: Scene, at: Point, reach: float) -
             yield _Slice(part.piece_of or part.id, region, is_pin, is_whole)
 
 
+def _box(bounds: Iterable[float]) -> Box:
+    left, bottom, right, top = map(float, bounds)
+    return Box(*settled_point((left, bottom)), *settled_point((right, top)))
+
+
 def _span(line: shapely.Geometry) -> tuple[float, float]:
     _, bottom, _, top = shapely.bounds(line)
-    return float(bottom), float(top)
+    return settled_point((float(bottom), float(top)))
 
 
 def _band(one: Piece, bottom: float, top: float) -> shapely.Geometry:
     """Return what is cut of a piece between two heights: plates, or a ring about the axis."""
-    low, high = float(np.ravel(one.low)[0]), float(np.ravel(one.high)[0])
+    low, high = settled_point((float(np.ravel(one.low)[0]), float(np.ravel(one.high)[0])))
     if math.isinf(high):
         inner, outer = sorted((abs(bottom), abs(top)))
         hole = shapely.Point(0, 0).buffer(inner if bottom * top > 0 else 0.0)
@@ -183,9 +188,11 @@ def _wave(start: Point, end: Point) -> Iterator[Stroke]:
     width = end[0] - start[0]
     steps = _WAVE * 2
     points = [
-        (
-            start[0] + width * k / steps,
-            start[1] + _SWING * abs(width) * math.sin(math.tau * 1.5 * k / steps),
+        settled_point(
+            (
+                start[0] + width * k / steps,
+                start[1] + _SWING * abs(width) * math.sin(math.tau * 1.5 * k / steps),
+            )
         )
         for k in range(steps + 1)
     ]
@@ -197,7 +204,7 @@ def _axes(
 ) -> Iterator[Line]:
     """Yield the axis of the pin and the middle plane."""
     beyond = _BEYOND * reach
-    left, bottom, right, top = shapely.union_all([piece for _, piece in polygons]).bounds
-    yield Line((0.0, bottom - beyond), (0.0, top + beyond))
+    whole = _box(shapely.union_all([piece for _, piece in polygons]).bounds)
+    yield Line((0.0, whole.bottom - beyond), (0.0, whole.top + beyond))
     if has_pin:
-        yield Line((left - beyond, 0.0), (right + beyond, 0.0))
+        yield Line((whole.left - beyond, 0.0), (whole.right + beyond, 0.0))

@@ -9,6 +9,7 @@ import numpy as np
 
 from gripcourse.course.model import Scheme
 from gripcourse.course.view import Expression, View
+from gripcourse.drawing.paper.strokes import DIGITS, settled_angle
 from gripcourse.drawing.paper.text import Point
 from gripcourse.formula.evaluate import Array, Column
 from gripcourse.formula.evaluate import evaluate as evaluate_formula
@@ -27,11 +28,14 @@ class Numbers:
     plan: Plan
 
     def number(self, formula: Formula, unit: str) -> float | None:
-        """Compute a formula in a unit; None where a name is missing or there is no value."""
+        """Compute a formula in a unit, settled; None without a value or where a name is missing."""
         if any(name not in self.values for name in formula.names):
             return None
         found = float(evaluate_formula(formula, unit, self.values, self.plan.columns))
-        return None if math.isnan(found) else found / factor(unit)
+        if math.isnan(found):
+            return None
+        found /= factor(unit)
+        return settled_angle(found) if unit == "deg" else round(found, DIGITS)
 
     def numbers(self, written: Sequence[Expression], unit: str = "mm") -> list[float] | None:
         """Compute several formulas; None where one of them has no value."""

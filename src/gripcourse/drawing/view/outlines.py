@@ -5,7 +5,14 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 
-from gripcourse.drawing.paper.strokes import Arc, Line, Stroke, on_circle, points_of
+from gripcourse.drawing.paper.strokes import (
+    Arc,
+    Line,
+    Stroke,
+    on_circle,
+    points_of,
+    settled_angle,
+)
 from gripcourse.drawing.paper.text import Point
 
 _FULL_TURN, _QUARTER = 360.0, 90.0
@@ -113,7 +120,7 @@ def _taper(needs: Mapping[str, Sequence[float]]) -> Outline:
     if length <= abs(first - second):
         return _circle({"at": start if first > second else end, "diameter": [max(needs["widths"])]})
     along = _direction(start, end)
-    lean = math.degrees(math.acos((first - second) / length))
+    lean = settled_angle(math.degrees(math.acos((first - second) / length)))
     ends = (
         Arc(end, second, along - lean, along + lean),
         Arc(start, first, along + lean, along - lean + _FULL_TURN),
@@ -166,7 +173,7 @@ _OUTLINES: Mapping[str, Callable[[Mapping[str, Sequence[float]]], Outline]] = {
 
 
 def _direction(start: Point, end: Point) -> float:
-    return math.degrees(math.atan2(end[1] - start[1], end[0] - start[0]))
+    return settled_angle(math.degrees(math.atan2(end[1] - start[1], end[0] - start[0])))
 
 
 def _turned(needs: Mapping[str, Sequence[float]]) -> Arc:

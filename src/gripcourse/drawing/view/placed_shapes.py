@@ -1,5 +1,6 @@
 """The shapes of a part where they stand: repeated, mirrored, in the line that they are drawn in."""
 
+import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 from itertools import product
@@ -15,7 +16,8 @@ from gripcourse.drawing.paper.strokes import (
     box_of,
     flipped,
     mirrored,
-    on_circle,
+    settled,
+    settled_point,
 )
 from gripcourse.drawing.paper.text import Point
 from gripcourse.drawing.view.numbers import Numbers
@@ -63,7 +65,7 @@ def shown(part: ViewPart, numbers: Numbers) -> Iterator[Shown]:
     """Yield the shapes of a part in the order in which they cover each other."""
     for shape in part.shapes:
         kind = LineKind[shape.line.upper()]
-        for one in _repeated(shape, numbers):
+        for one in map(_settled, _repeated(shape, numbers)):
             for found in (one, _mirrored(one)) if _is_mirrored(part, shape) else (one,):
                 bare = Outline(found.strokes, found.axes)
                 outline = found if kind is LineKind.OUTLINE else bare
@@ -115,10 +117,20 @@ def _moves(repeat: Repeat | Ring, numbers: Numbers) -> list[_Move]:
     return [_Move(shift=(place[0] * time, place[1] * time)) for time in times]
 
 
+def _settled(one: Outline) -> Outline:
+    return Outline(
+        tuple(map(settled, one.strokes)),
+        tuple(map(settled, one.axes)),
+        tuple(map(settled_point, one.mask)),
+    )
+
+
 def _moved(one: Outline, move: _Move) -> Outline:
+    turn = math.radians(move.angle)
+
     def point(old: Point) -> Point:
         x, y = old[0] - move.about[0], old[1] - move.about[1]
-        cosine, sine = on_circle(_ORIGIN, 1.0, move.angle)
+        cosine, sine = math.cos(turn), math.sin(turn)
         return (
             x * cosine - y * sine + move.about[0] + move.shift[0],
             x * sine + y * cosine + move.about[1] + move.shift[1],

@@ -9,6 +9,7 @@ import shapely
 import shapely.ops
 
 from gripcourse.course.view import Face
+from gripcourse.drawing.paper.strokes import settled_point
 from gripcourse.drawing.paper.text import Point
 from gripcourse.drawing.view.placed_shapes import Shown
 
@@ -34,7 +35,7 @@ def seen_mark(mark: Point, part: Sequence[Shown], later: Iterable[Shown], size: 
         room = shapely.buffer(seen, -clear * size)
         if not shapely.is_empty(room):
             place, _ = shapely.ops.nearest_points(room, at)
-            return place.x, place.y
+            return settled_point((place.x, place.y))
     return mark
 
 
