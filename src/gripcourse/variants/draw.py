@@ -209,7 +209,7 @@ def _no_room(space: Space, search: Search, alike: int, wanted: int) -> TableErro
         ),
         message(
             "Draw fewer of one scheme, let them share more in the policy (shared_points,"
-            " shared_section_points), or draw with --freely."
+            " shared_section_points), or do not keep them apart."
         ),
     )])  # fmt: skip
 
