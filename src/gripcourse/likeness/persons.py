@@ -18,6 +18,12 @@ def persons_of(owners: Iterable[str]) -> Ints:
     return np.array([first.setdefault(one, row) for row, one in enumerate(owners)], dtype=np.intp)
 
 
+def of_several(person: Ints) -> Flags:
+    """Tell which rows are of a person who has several: (rows,)."""
+    several: Flags = np.bincount(person, minlength=len(person))[person] > 1
+    return several
+
+
 def had_again(person: Ints, what: Ints, kinds: int) -> Ints:
     """Return how often each kind of things is had by a person who has it already: (kinds,).
 
@@ -54,7 +60,7 @@ class RepeatedValues:
             tables: one below the other.
             person: (rows,); as `persons_of` returns them.
         """
-        repeated = np.bincount(person, minlength=len(person))[person] > 1
+        repeated = of_several(person)
         if not repeated.any():
             return None
         columns, cells = 0, list[tuple[Ints, Ints, Floats]]()

@@ -16,7 +16,7 @@ from gripcourse.likeness.laid import Columns, Laid
 from gripcourse.likeness.matches import ComparedNumbers, Spread, last_unit
 from gripcourse.likeness.model import Chances, ComparedWork
 from gripcourse.likeness.own_versions import OwnVersions
-from gripcourse.likeness.persons import had_again
+from gripcourse.likeness.persons import had_again, of_several
 from gripcourse.machine.shelf import Shelved
 
 if TYPE_CHECKING:
@@ -175,7 +175,7 @@ def _common(gathering: "_Gathering", tables: Sequence[PooledWorks], submitter: I
     counts = np.array([gathering.slipped[one] for one in gathering.slips.values()], np.float64)
     quantity = np.array([place for place, _ in gathering.slips], dtype=np.intp)
     answered = gathering.answered
-    several = np.bincount(submitter, minlength=len(submitter))[submitter] > 1
+    several = of_several(submitter)
     if several.any():
         cells = [_of_submitters(*one, submitter, several) for one in _since(tables)]
         (who, slip), (whose, column) = (

@@ -179,7 +179,7 @@ def _make_up(
             if not still:
                 break
         if still:
-            alike = _alike(search)
+            alike = _count_too_near(search)
             if alike:
                 raise _no_room(space, search, alike, sum(wanted.values()))
             raise _too_few(space, search, case, wanted[case])
@@ -192,7 +192,7 @@ def _stand_ins(search: Search, cases: int, case: int, rng: np.random.Generator) 
     yield from [one for one in search.easiest() if one != case][:_STAND_INS]
 
 
-def _alike(search: Search) -> int:
+def _count_too_near(search: Search) -> int:
     """Return how many candidates nothing but a variant that was drawn before spoke against."""
     return sum(one.count for one in search.set_aside if one.what == TOO_NEAR)
 

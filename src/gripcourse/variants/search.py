@@ -25,10 +25,12 @@ if TYPE_CHECKING:
 
 
 CHUNK = 1 << 14  # candidates in one evaluation: the fastest size for numpy
-TOO_NEAR: Final = message("too near to another variant")
 MOST_TRIED = 1 << 18  # candidates of one combination before giving up
 _FEWEST, _FIRST_ROUND = 32, 256  # candidates of one combination; powers of two, as Sobol wants
 _WIDE_CHOICE = 2048  # the same where some are preferred to others
+
+TOO_NEAR: Final = message("too near to another variant")
+"""Why a candidate is set aside that nothing speaks against but what was drawn before."""
 
 
 @dataclass(frozen=True, slots=True)
